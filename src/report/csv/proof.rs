@@ -4,7 +4,7 @@ use super::table::{Table, number, optional};
 use crate::analysis::{OptimumResult, Results};
 use crate::files::{Folder, WriteError};
 use crate::input::Study;
-use crate::input::tables::ENDS;
+use crate::input::tables::{COLUMNS, ENDS, EXCLUDED_BY};
 use crate::optimise::Exclusions;
 
 /// Writes those of all optima that have one. `lowest_…`, `highest_…`: range of a free parameter; `share`: what objective (in units of `lower_bound`) or limit at this speed counts
@@ -19,8 +19,7 @@ pub fn proofs(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
 fn proof(study: &Study, o: &OptimumResult, exclusions: &Exclusions, folder: &Folder) -> Result<(), WriteError> {
     let of_absorber = |(absorber, key): &(usize, &str)| if *absorber == 0 { (*key).to_owned() } else { format!("{key}_{}", absorber + 1) };
     let ends = exclusions.free.iter().map(of_absorber).flat_map(|key| ENDS.map(|end| format!("{end}{key}")));
-    let fixed = ["design", "objective", "lower_bound", "unit", "box", "condition", "misfire_cylinder", "speed_rpm", "excluded_by", "share"];
-    let header: Vec<String> = fixed.into_iter().map(str::to_owned).chain(ends).collect();
+    let header: Vec<String> = COLUMNS.into_iter().map(str::to_owned).chain(ends).collect();
     let mut table = Table::new(&header.iter().map(String::as_str).collect::<Vec<_>>());
     let objective = study.objective_of(o.objective);
     let bound = o.proof.as_ref().and_then(|p| p.lower_bound).map(|b| objective.unit.shown(b));
@@ -28,7 +27,7 @@ fn proof(study: &Study, o: &OptimumResult, exclusions: &Exclusions, folder: &Fol
         for speed in &one.speeds {
             let named = [o.design.name.clone(), objective.key.to_owned(), optional(bound), objective.unit.symbol().to_owned()];
             let cylinder = speed.cylinder.map_or_else(String::new, |c| (c + 1).to_string());
-            let by = if speed.by_limit { "limit" } else { "objective" };
+            let by = EXCLUDED_BY[usize::from(speed.by_limit)];
             let at = [(i + 1).to_string(), speed.condition.name().to_owned(), cylinder, number(speed.speed_rpm), by.to_owned()];
             let ranges = one.ranges.iter().flat_map(|r| [number(r.0), number(r.1)]);
             table.row(named.into_iter().chain(at).chain([number(speed.share)]).chain(ranges));

@@ -43,7 +43,7 @@ pub(super) fn clause(study: &Study, o: &OptimumResult) -> String {
     let said = match (&o.exclusions, &proof.verdict) {
         (Some(_), _) => format!("{said}; its boxes are in proof_{}.csv", o.design.name),
         (None, Verdict::Proved | Verdict::Impossible | Verdict::Open(_)) if study.optimise.as_ref().is_some_and(|s| s.prove.file) => {
-            format!("{said}; no table of it, as as many boxes do not suffice for it")
+            format!("{said}; no table of it was written")
         }
         (None, _) => said,
     };

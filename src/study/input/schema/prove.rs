@@ -27,7 +27,7 @@ pub(crate) struct RawProveOptima {
     /// Boxes that the range of the free parameters is cut into, at most; 0: nothing is proved.
     #[schemars(extend("minimum" = BOXES.start(), "maximum" = BOXES.end(), "default" = EFFORT.boxes, "examples" = [1_000_000]))]
     pub boxes: Option<At<i64>>,
-    /// Whether each proof is written as a table, `proof_<design>.csv`, that `hartog check --proof` confirms by other means: boxes that cover the bounds, each with a speed that excludes it.
+    /// Whether each proof is written as a table, `proof_<design>.csv`, that `hartog check --proof` confirms by other means: boxes that cover the bounds, each with the speeds that exclude it.
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub file: Option<bool>,
 }

@@ -31,7 +31,7 @@ pub(crate) use mass_elastic::mass_elastic;
 pub use measured_law::measured_law;
 pub use multiaxial::{histories, multiaxial, planes};
 pub(crate) use plain_names::not_plain;
-pub use proof::{ENDS, ExcludedBox, ProofTable, proof_table};
+pub use proof::{COLUMNS, ENDS, EXCLUDED_BY, ExcludedBox, ProofTable, proof_table};
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub use published_chain::chain;
 pub use published_choices::choices;

@@ -30,20 +30,26 @@ pub struct ProofTable {
     pub boxes: Vec<ExcludedBox>,
 }
 
+/// Columns of every proof.
+#[doc(hidden)]
+pub const COLUMNS: [&str; 10] =
+    ["design", "objective", "lower_bound", "unit", "box", "condition", "misfire_cylinder", "speed_rpm", "excluded_by", "share"];
+/// What excludes a box at a speed: an objective, or a limit.
+#[doc(hidden)]
+pub const EXCLUDED_BY: [&str; 2] = ["objective", "limit"];
 /// Beginnings of the names of columns with ends of ranges.
 #[doc(hidden)]
 pub const ENDS: [&str; 2] = ["lowest_", "highest_"];
 
-/// Reads `design, objective, unit, lower_bound, box, condition, misfire_cylinder, speed_rpm, excluded_by, share`, and for each free parameter `lowest_…` and `highest_…`.
+/// Reads [`COLUMNS`], and for each free parameter `lowest_…` and `highest_…`.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
 #[doc(hidden)]
 pub fn proof_table(path: &Path) -> Result<ProofTable, InputError> {
-    let table = Table::read(path, &["design", "speed_rpm", "condition"])?;
-    let own = ["design", "objective", "unit", "lower_bound", "box", "condition", "misfire_cylinder", "speed_rpm", "excluded_by", "share"];
-    let [design, objective, unit, bound, number, condition, cylinder, speed, by, share] = own.map(|name| table.column(name));
-    let (design, objective, unit, bound, number, condition) = (design?, objective?, unit?, bound?, number?, condition?);
+    let table = Table::read(path, &COLUMNS)?;
+    let [design, objective, bound, unit, number, condition, cylinder, speed, by, share] = COLUMNS.map(|name| table.column(name));
+    let (design, objective, bound, unit, number, condition) = (design?, objective?, bound?, unit?, number?, condition?);
     let (cylinder, speed, by, share) = (cylinder?, speed?, by?, share?);
     let free: Vec<String> = table.header.iter().filter_map(|h| h.strip_prefix(ENDS[0])).map(str::to_owned).collect();
     let pair = |key: &String| Ok((table.column(&format!("{}{key}", ENDS[0]))?, table.column(&format!("{}{key}", ENDS[1]))?));
@@ -85,11 +91,8 @@ pub fn proof_table(path: &Path) -> Result<ProofTable, InputError> {
             Some(n) if n >= 1.0 && n.fract() == 0.0 => Some(n as usize - 1),
             Some(_) => return Err(wrong(cylinder, "the number of a cylinder")),
         };
-        let by_limit = match cells[by].as_str() {
-            "limit" => true,
-            "objective" => false,
-            _ => return Err(wrong(by, "`objective` or `limit`")),
-        };
+        let by_limit = EXCLUDED_BY.iter().position(|word| *word == cells[by]);
+        let by_limit = by_limit.ok_or_else(|| wrong(by, &format!("`{}` or `{}`", EXCLUDED_BY[0], EXCLUDED_BY[1])))? == 1;
         let speed = ExcludingSpeed {
             condition: named.ok_or_else(|| wrong(condition, "a condition, as `firing`"))?,
             cylinder: misfires,

@@ -1,10 +1,11 @@
 //! `hartog check`: what a study means, without running it, and whether a proof of one of its optima holds.
 
 use super::exit::{DONE, FAILED, fail, say, threads};
+use super::study_arguments::StudyArguments;
 use crate::analysis::problem_of::{NoProblem, with_problem};
 use crate::input::error::{Mistake, Place};
 use crate::input::tables::{ProofTable, proof_table};
-use crate::input::{self, InputError, Study};
+use crate::input::{InputError, Study};
 use crate::report::text::{check, check_in_brief, confirmed};
 use crate::validation::proof::{Objection, confirm};
 use std::path::{Path, PathBuf};
@@ -18,8 +19,9 @@ no design of them may be better at the speeds of its box than the proof says, by
 a kind that is not checked, ends with exit code 1."
 )]
 pub struct Arguments {
-    /// Study file (TOML).
-    pub study: PathBuf,
+    /// The study.
+    #[command(flatten)]
+    pub study: StudyArguments,
     /// Print the chain station by station, every mode with its critical speeds, the excitation, and what the crank bears.
     #[arg(long, conflicts_with = "proof")]
     pub verbose: bool,
@@ -34,7 +36,7 @@ pub struct Arguments {
 /// Reads and checks a study, and prints the model it describes, or holds a proof against it.
 pub fn check(arguments: &Arguments) -> u8 {
     threads(arguments.threads.map(usize::from));
-    let study = match input::read(&arguments.study) {
+    let study = match arguments.study.read().0 {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };

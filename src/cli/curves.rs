@@ -3,10 +3,10 @@
 use super::exit::{DONE, fail, files, paths, say};
 use super::place::chosen;
 use super::progress::Bar;
+use super::study_arguments::StudyArguments;
 use crate::analysis::curves::{Shown, curves_of};
 use crate::engine::Source;
-use crate::input;
-use crate::report::{Folder, Job, Names, about_inputs, text, write_curves, write_folder};
+use crate::report::{Folder, Job, Names, about_study, text, write_curves, write_folder};
 use std::path::PathBuf;
 
 /// Arguments of `curves`.
@@ -20,8 +20,9 @@ balance, mode shapes, phase vectors, spectrum, torque of the shafts by orders, m
 flexible crank its modes, orbits, bearing forces and moments of webs, too; of one by matrices the motions of its unknowns, for stresses."
 )]
 pub struct Arguments {
-    /// Study file (TOML).
-    pub study: PathBuf,
+    /// The study.
+    #[command(flatten)]
+    pub study: StudyArguments,
     /// Output folder [default: out/STUDY_curves; of a file called study.toml, after the folder where it is].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -55,7 +56,7 @@ pub enum Orders {
 /// Computes the curves of a study and writes them.
 pub fn curves(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
-    let (study, inputs) = input::noted(|| input::read(&arguments.study));
+    let (study, inputs) = arguments.study.read();
     let study = match study {
         Ok(study) => study,
         Err(error) => return fail(&error),
@@ -80,7 +81,7 @@ pub fn curves(arguments: &Arguments) -> u8 {
     if let Some(throw) = arguments.throw.iter().find(|t| usize::from(**t) > throws) {
         return fail(&format!("error: found --throw {throw}, expected a number from 1 to {throws}"));
     }
-    let path = match chosen(arguments.out.as_ref(), &arguments.study, "_curves") {
+    let path = match chosen(arguments.out.as_ref(), &arguments.study.path, "_curves") {
         Ok(path) => path,
         Err(error) => return fail(&error),
     };
@@ -105,7 +106,7 @@ pub fn curves(arguments: &Arguments) -> u8 {
     let printed = || text::curves(&found.figures, &found.holzer);
     let title = format!("{}: what lies behind its designs", study.engine.name);
     let written = write_curves(&found, &folder).and_then(|()| write_folder(&title, printed, &folder));
-    if let Err(error) = written.and_then(|()| folder.complete(&about_inputs(&inputs))) {
+    if let Err(error) = written.and_then(|()| folder.complete(&about_study(&study, &inputs))) {
         return fail(&error);
     }
     say(&printed());

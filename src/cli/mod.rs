@@ -16,6 +16,7 @@ pub mod report;
 pub mod run;
 pub mod shell;
 pub mod size;
+pub mod study_arguments;
 mod supervised_run;
 
 pub(crate) use exit::threads;

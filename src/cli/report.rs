@@ -3,11 +3,11 @@
 use super::exit::{DONE, FAILED, fail, paths, say};
 use super::place::chosen;
 use super::progress::Bar;
+use super::study_arguments::StudyArguments;
 use crate::analysis::classification::classification;
 use crate::engine::Source;
-use crate::input;
 use crate::objective::Condition;
-use crate::report::{Folder, Job, Names, about_inputs, text, write_classification};
+use crate::report::{Folder, Job, Names, about_study, text, write_classification};
 use std::path::PathBuf;
 
 /// Arguments of `report`.
@@ -18,8 +18,9 @@ writes of the designs of the study. With --optima the optima of the study are se
 looked at whether the study asks for it or not.\n\n\
 Exit code: 0 done, 1 a design breaks a limit of the study, 2 bad input or no finite response.")]
 pub struct Arguments {
-    /// Study file (TOML).
-    pub study: PathBuf,
+    /// The study.
+    #[command(flatten)]
+    pub study: StudyArguments,
     /// Output folder [default: out/STUDY_report; of a file called study.toml, after the folder where it is].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -34,7 +35,7 @@ pub struct Arguments {
 /// Evaluates the designs of a study and writes the report.
 pub fn report(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
-    let (study, inputs) = input::noted(|| input::read(&arguments.study));
+    let (study, inputs) = arguments.study.read();
     let mut study = match study {
         Ok(study) => study,
         Err(error) => return fail(&error),
@@ -48,7 +49,7 @@ pub fn report(arguments: &Arguments) -> u8 {
     if matches!(study.engine.source, Source::Cylinder { .. }) && !study.conditions.contains(&Condition::Misfire) {
         study.conditions.push(Condition::Misfire);
     }
-    let path = match chosen(arguments.out.as_ref(), &arguments.study, "_report") {
+    let path = match chosen(arguments.out.as_ref(), &arguments.study.path, "_report") {
         Ok(path) => path,
         Err(error) => return fail(&error),
     };
@@ -65,7 +66,9 @@ pub fn report(arguments: &Arguments) -> u8 {
         Err(error) => return fail(&format!("error: {error}")),
     };
     let found = classification(&results.study, &results);
-    if let Err(error) = write_classification((&results, &inputs), &found, &folder).and_then(|()| folder.complete(&about_inputs(&inputs))) {
+    if let Err(error) =
+        write_classification((&results, &inputs), &found, &folder).and_then(|()| folder.complete(&about_study(&results.study, &inputs)))
+    {
         return fail(&error);
     }
     say(&text::criticals(&found));

@@ -2,9 +2,9 @@
 
 use super::exit::{DONE, FAILED, fail, paths, say, say_raw, say_to_error};
 use super::place::chosen;
+use super::study_arguments::StudyArguments;
 use super::supervised_run::{Watched, end_at_interrupt};
 use crate::analysis::{Progress, Results, Timing};
-use crate::input;
 use crate::report::{Job, Journal, Names, about, csv, results_json, text};
 use crate::response::Work;
 use std::path::PathBuf;
@@ -18,10 +18,12 @@ The objective of a study is, by default, half the peak-to-peak twist of all orde
 absorber's hub to the last station, at its worst speed. Neither the hub's amplitude nor a single order will do: at low speed the hub\n\
 rolls with the whole engine, which no absorber changes; and the largest single order saturates on forced twist, so that a ring that\n\
 wins by order can lose by the sum. Both can be chosen: hub_amplitude, and over = \"orders\".\n\n\
+Example of other values: hartog run studies/villalva_i6.toml --set load_fraction=0.5 --set 'optimise.absorber.0.types=[\"tuned\"]'\n\n\
 Exit code: 0 done, 1 a limit of the study fails for an optimum, its absorber overheats or has no steady motion, 2 bad input or no finite response.")]
 pub struct Arguments {
-    /// Study file (TOML).
-    pub study: PathBuf,
+    /// The study.
+    #[command(flatten)]
+    pub study: StudyArguments,
     /// Output folder [default: out/STUDY; of a file called study.toml, out/ and the name of the folder where it is].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -53,17 +55,17 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
     let start = Instant::now();
-    let (study, inputs) = input::noted(|| input::read(&arguments.study));
+    let (study, inputs) = arguments.study.read();
     let study = match study {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };
-    let path = match chosen(arguments.out.as_ref(), &arguments.study, "") {
+    let path = match chosen(arguments.out.as_ref(), &arguments.study.path, "") {
         Ok(path) => path,
         Err(error) => return fail(&error),
     };
     let job = Job { names: &Names::of_run(&study), inputs: &inputs, reads: &paths(&inputs) };
-    let journal = match Journal::open(&path, job, arguments.resume) {
+    let journal = match Journal::open(&path, job, &study.set, arguments.resume) {
         Ok(journal) => Arc::new(journal),
         Err(error) => return fail(&error),
     };

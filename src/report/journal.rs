@@ -52,6 +52,10 @@ fn changed(own: &Header, before: &Header) -> Option<String> {
     if own.build != before.build {
         return Some(format!("it was begun by another build of {}", own.program));
     }
+    if own.set != before.set {
+        let shown = |set: &[String]| if set.is_empty() { "none".to_owned() } else { set.join(" ") };
+        return Some(format!("its --set was {}, that of this run is {}", shown(&before.set), shown(&own.set)));
+    }
     let name = |f: &InputFile| f.path.file_name().map(|n| n.to_string_lossy().into_owned());
     for (now, then) in own.inputs.iter().zip(&before.inputs) {
         if name(now) != name(then) {
@@ -132,15 +136,15 @@ fn read(path: &Path, bytes: &[u8]) -> Result<Option<Left>, JournalError> {
 }
 
 impl Journal {
-    /// Makes the folder of a run as [`Folder::create`] does, and begins its journal, or goes on with that of an interrupted run where there is one.
+    /// Makes the folder of a run, some keys of whose inputs are `set`, as [`Folder::create`] does, and begins its journal, or goes on with that of an interrupted run where there is one.
     ///
     /// # Errors
     /// [`JournalError`] where that cannot be, or the journal is damaged, or of another program or other inputs.
     #[doc(hidden)]
-    pub fn open(path: &Path, job: Job, resume: bool) -> Result<Self, JournalError> {
+    pub fn open(path: &Path, job: Job, set: &[String], resume: bool) -> Result<Self, JournalError> {
         let folder = Arc::new(Folder::open(path, job)?);
         let build = std::env::current_exe().and_then(|path| checksum(&path)).ok();
-        let own = Header { build, ..Header::new(job.inputs, folder.beginning()) };
+        let own = Header { build, set: set.to_vec(), ..Header::new(job.inputs, folder.beginning()) };
         let left = if resume { read(&path.join(JOURNAL), folder.left())? } else { None };
         let (line, known) = match left {
             Some(left) => match changed(&own, &left.header) {

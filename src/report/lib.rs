@@ -34,7 +34,7 @@ pub use files::{Folder, WriteError};
 pub use journal::Journal;
 pub use names::{CLASSIFICATION, Names, PAGE, UNFINISHED};
 pub use page::write_folder;
-pub use summary::{about, about_inputs};
+pub use summary::{about, about_inputs, about_study};
 
 use hartog_comparison::{benchmark, validation};
 use hartog_physics::{absorber, crankshaft, drivetrain, engine, fatigue, numerics, objective, optimise, response, rotor, sizing, units};

@@ -67,6 +67,9 @@ pub(super) struct Header {
     /// CRC-32 of the program, where it can be read: a version may be built in many ways.
     pub build: Option<u32>,
     pub inputs: Vec<InputFile>,
+    /// Keys that were given other values than the inputs have.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub set: Vec<String>,
     /// Of which command; `run`, where nothing is said.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command: Option<String>,
@@ -78,7 +81,7 @@ pub(super) struct Header {
 impl Header {
     pub fn new(inputs: &[InputFile], unfinished: &str) -> Self {
         let (program, unfinished) = (PROGRAM.to_owned(), Some(unfinished.to_owned()));
-        Self { program, build: None, inputs: inputs.to_vec(), command: None, unfinished }
+        Self { program, build: None, inputs: inputs.to_vec(), set: Vec::new(), command: None, unfinished }
     }
 
     /// As a line of a journal: words and numbers, in which nothing can fail.

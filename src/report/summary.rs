@@ -8,12 +8,22 @@ use serde_json::{Map, Value, json};
 /// Inputs, seed, method, and of each optimum its value, certificate and evaluations.
 #[doc(hidden)]
 pub fn about(study: &Study, inputs: &[InputFile], results: &Results) -> Map<String, Value> {
-    let mut about = about_inputs(inputs);
+    let mut about = about_study(study, inputs);
     about.insert("seed".into(), study.optimise.as_ref().map(|o| o.seed).into());
     about.insert("method".into(), results.method.into());
     about.insert("searches_by".into(), results.choices.first().map(|c| c.chosen.strategy.label()).into());
     about.insert("limits_hold".into(), results.limits_hold().into());
     about.insert("optima".into(), results.optima.iter().map(|o| optimum(study, results, o)).collect());
+    about
+}
+
+/// The inputs of a command on a study, and the keys that it gave other values.
+#[doc(hidden)]
+pub fn about_study(study: &Study, inputs: &[InputFile]) -> Map<String, Value> {
+    let mut about = about_inputs(inputs);
+    if !study.set.is_empty() {
+        about.insert("set".into(), json!(study.set));
+    }
     about
 }
 

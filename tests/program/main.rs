@@ -14,6 +14,7 @@ mod layering;
 mod limit_tables;
 mod long;
 mod new;
+mod overrides;
 mod page;
 mod plausibility;
 mod proof_tables;

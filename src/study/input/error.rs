@@ -1,6 +1,7 @@
 //! Mistakes in input files, each with its place, what was found and what was expected.
 
 use super::letters::fault;
+use super::overrides::{OPTION, Overrides};
 use super::read_toml;
 use super::snippet::{shortened, window};
 pub use super::spanned::At;
@@ -14,6 +15,7 @@ use std::path::{Path, PathBuf};
 pub struct Source {
     path: PathBuf,
     text: String,
+    overrides: Overrides,
 }
 
 /// One mistake.
@@ -178,7 +180,12 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, String> {
 impl Source {
     /// A text that is there already, under the name it is called in messages.
     pub fn new(path: &Path, text: &str) -> Self {
-        Self { path: path.to_path_buf(), text: text.to_owned() }
+        Self { path: path.to_path_buf(), text: text.to_owned(), overrides: Overrides::default() }
+    }
+
+    /// The same with other values of some keys.
+    pub(super) fn with(self, overrides: Overrides) -> Self {
+        Self { overrides, ..self }
     }
 
     /// Reads a file named on the command line.
@@ -200,13 +207,13 @@ impl Source {
     }
 
     fn decode(path: &Path, bytes: Vec<u8>) -> Result<Self, InputError> {
-        String::from_utf8(bytes).map(|text| Self { path: path.to_path_buf(), text }).map_err(|e| {
+        String::from_utf8(bytes).map(|text| Self::new(path, &text)).map_err(|e| {
             let good = e.utf8_error().valid_up_to();
             let text = String::from_utf8_lossy(e.as_bytes()).into_owned();
             let help =
                 if is_table(&text) { "this is a table: `hartog import` takes one of masses and shafts" } else { encoded(e.as_bytes()) };
             // what is good stands at the same place in the lossy text
-            let source = Self { path: path.to_path_buf(), text };
+            let source = Self::new(path, &text);
             source.mistake(good..good + 1, "found bytes that are not text, expected UTF-8".into(), Some(help.into())).into()
         })
     }
@@ -223,6 +230,9 @@ impl Source {
 
     /// A mistake at a stretch of bytes.
     pub(crate) fn mistake(&self, span: Range<usize>, message: String, help: Option<String>) -> Mistake {
+        if let Some((text, span)) = self.in_override(&span) {
+            return Self::new(Path::new(OPTION), text).mistake(span, message, help);
+        }
         let start = span.start.min(self.text.len());
         let line_start = self.text[..start].rfind('\n').map_or(0, |i| i + 1);
         let line_end = self.text[start..].find('\n').map_or(self.text.len(), |i| start + i);
@@ -244,19 +254,26 @@ impl Source {
         }
     }
 
+    /// The text of the override in which a place is that is not in the file, and the place there.
+    fn in_override(&self, span: &Range<usize>) -> Option<(&str, Range<usize>)> {
+        let (text, start) = self.overrides.holding(self.text.len(), span.start)?;
+        Some((text, span.start - start..span.end.saturating_sub(start)))
+    }
+
     /// Parses TOML.
     ///
     /// # Errors
     /// The first mistake of grammar, key or type.
     pub fn parse<T: serde::de::DeserializeOwned>(&self) -> Result<T, InputError> {
-        read_toml::from_str(&self.text).map_err(|e| {
+        read_toml::from_str(&self.text, &self.overrides).map_err(|e| {
             if self.text.lines().all(|line| line.trim().is_empty() || line.trim_start().starts_with('#')) {
                 let help = "`hartog new` writes files to begin with".to_owned();
                 let message = "found an empty file, expected one with keys".to_owned();
                 return Mistake { message, place: Place::File(self.path.clone()), help: Some(help) }.into();
             }
             let span = e.span.unwrap_or(0..0);
-            let (message, help) = of_grammar(&self.text, &span, &e.message);
+            let (text, place) = self.in_override(&span).unwrap_or((&self.text, span.clone()));
+            let (message, help) = of_grammar(text, &place, &e.message);
             self.mistake(span, message, help).into()
         })
     }

@@ -8,6 +8,7 @@ pub mod keys;
 mod letters;
 pub mod matrices;
 pub mod measure;
+mod overrides;
 pub mod published;
 mod read_toml;
 mod schema;
@@ -23,6 +24,8 @@ pub use files::{InputFile, checksum, noted, remarked};
 pub use import::{FoundChain, FoundStation, FoundTraces};
 pub use letters::is_hidden;
 pub use measure::{CombinedSpec, LimitOfRule, LimitSpec, MeasureSpec, UnitOf};
+#[doc(hidden)]
+pub use overrides::Override;
 pub use published::Published;
 pub use schema::json::FileKind;
 pub use validation::{
@@ -34,6 +37,7 @@ pub use validation::{RETUNED, scatter_key};
 pub use wording::closest;
 
 use error::Source;
+use overrides::{OfFile, Overrides};
 use std::path::Path;
 
 /// Reads and checks a material file.
@@ -104,7 +108,32 @@ pub(crate) fn from_texts(path: &Path, study: &str, engine: &str) -> Result<Study
 /// # Errors
 /// [`InputError`] with every mistake found, each with file, line and column.
 pub fn read(path: &Path) -> Result<Study, InputError> {
-    checked(path, &Source::read(path)?)
+    read_with(path, &[])
+}
+
+/// Reads and checks a study with other values of some keys, those of its engine file behind `engine.`, and everything it names.
+///
+/// # Errors
+/// As [`read`]; mistakes of these values are where they were given.
+#[doc(hidden)]
+pub fn read_with(path: &Path, overrides: &[Override]) -> Result<Study, InputError> {
+    checked(path, Source::read(path)?, overrides)
+}
+
+/// Reads what `--set KEY=VALUE` gives.
+///
+/// # Errors
+/// [`InputError`] with every one that is none.
+#[doc(hidden)]
+pub fn overrides(texts: &[String]) -> Result<Vec<Override>, InputError> {
+    let (mut good, mut mistakes) = (Vec::new(), Vec::new());
+    for text in texts {
+        match Override::parse(text) {
+            Ok(own) => good.push(own),
+            Err(e) => mistakes.push(Source::new(Path::new(overrides::OPTION), text).mistake(e.span, e.message, e.help)),
+        }
+    }
+    if mistakes.is_empty() { Ok(good) } else { Err(InputError { mistakes }) }
 }
 
 impl Study {
@@ -121,7 +150,7 @@ impl Study {
     /// # Errors
     /// As [`Study::read`].
     pub fn from_toml(text: &str, name: impl AsRef<Path>) -> Result<Self, InputError> {
-        checked(name.as_ref(), &Source::new(name.as_ref(), text))
+        checked(name.as_ref(), Source::new(name.as_ref(), text), &[])
     }
 }
 
@@ -141,12 +170,22 @@ fn mass_elastic(
     validation::table(&mut check, file, folder, read).ok_or(InputError { mistakes: check.mistakes })
 }
 
-fn checked(path: &Path, source: &Source) -> Result<Study, InputError> {
-    let (study, remarks) = files::remarked(|| resolved(path, source));
-    study.map(|study| Study { remarks: study.remarks_on_crank().into_iter().chain(remarks).collect(), ..study })
+fn checked(path: &Path, source: Source, set: &[Override]) -> Result<Study, InputError> {
+    let source = source.with(Overrides::of(OfFile::Study, set));
+    let (study, remarks) = files::remarked(|| resolved(path, &source, set));
+    study.map(|mut study| {
+        study.remarks = study.remarks_on_crank().into_iter().chain(remarks).collect();
+        // what is given is no example any more
+        study.placeholders.retain(|p| !set.iter().any(|o| o.is_of(&p.key, p.file != path)));
+        study.set = set.iter().map(|o| o.text().to_owned()).collect();
+        if !set.is_empty() {
+            study.remarks.insert(0, format!("{} gives other values than the files have: {}", overrides::OPTION, study.set.join("; ")));
+        }
+        study
+    })
 }
 
-fn resolved(path: &Path, source: &Source) -> Result<Study, InputError> {
+fn resolved(path: &Path, source: &Source, set: &[Override]) -> Result<Study, InputError> {
     let make = format!("`hartog import {} own` makes a study of a table of masses and shafts", path.display());
     no_table(source, "a study in TOML", &make)?;
     if has(source, "mechanism") {
@@ -161,7 +200,7 @@ fn resolved(path: &Path, source: &Source) -> Result<Study, InputError> {
     let study: schema::study::RawStudy = source.parse()?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let engine_path = folder.join(study.engine.get_ref());
-    let engine_source = Source::read_named(&engine_path, source, study.engine.span())?;
+    let engine_source = Source::read_named(&engine_path, source, study.engine.span())?.with(Overrides::of(OfFile::Engine, set));
     no_table(
         &engine_source,
         "an engine file in TOML",

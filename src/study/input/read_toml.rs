@@ -1,6 +1,7 @@
 //! A TOML text as serde reads it. The tree is that of the `toml` crate; here it is handed on by one kind of table and one kind of list, so that what is derived for a
 //! type of the schema is compiled once (`toml` itself has three kinds of table: the copies were a twelfth of the time to build this library).
 
+use super::overrides::Overrides;
 use serde::de::value::{StrDeserializer, U64Deserializer};
 use serde::de::{DeserializeOwned, DeserializeSeed, Deserializer, EnumAccess, Error, IntoDeserializer, MapAccess, SeqAccess};
 use serde::de::{Unexpected, VariantAccess, Visitor};
@@ -38,14 +39,16 @@ impl Wrong {
     }
 }
 
-/// Reads a text.
+/// Reads a text, some of whose keys have other values.
 ///
 /// # Errors
 /// The first mistake of grammar, key or type.
-pub(super) fn from_str<T: DeserializeOwned>(text: &str) -> Result<T, Wrong> {
+pub(super) fn from_str<T: DeserializeOwned>(text: &str, overrides: &Overrides) -> Result<T, Wrong> {
     let table = DeTable::parse(text).map_err(|e| Wrong { message: e.message().to_owned(), span: e.span() })?;
     let span = table.span();
-    T::deserialize(Node { value: DeValue::Table(table.into_inner()), span })
+    let mut table = table.into_inner();
+    overrides.apply(&mut table, text.len()).map_err(|e| Wrong { message: e.message, span: Some(e.span) })?;
+    T::deserialize(Node { value: DeValue::Table(table), span })
 }
 
 /// A value and where it stands.

@@ -152,6 +152,8 @@ pub struct Study {
     pub placeholders: Vec<Placeholder>,
     /// How its tables were read, where that is not plain: sentences.
     pub remarks: Vec<String>,
+    /// Keys that were given other values than its files have, as `KEY=VALUE`.
+    pub set: Vec<String>,
 }
 
 impl Study {

@@ -343,6 +343,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         crank: base.crank,
         fatigue,
         remarks: Vec::new(),
+        set: Vec::new(),
         placeholders: Vec::new(),
     };
     rows::check(check, study, &checked);

@@ -108,6 +108,7 @@ impl Study {
             duty: Vec::new(),
             fatigue: None,
             remarks: Vec::new(),
+            set: Vec::new(),
             placeholders: Vec::new(),
             engine,
             chain,

@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use hartog::cli::{chart, check, compare, curves, fatigue, fit, import, keys, matrices, new, report, run, shell, size};
+use hartog::cli::{campaign, chart, check, compare, curves, fatigue, fit, import, keys, matrices, new, report, run, shell, size};
 use hartog::report::formats::Format;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -37,6 +37,8 @@ enum Command {
     Keys(keys::Arguments),
     /// Check a study and print the model it describes: chain, modes, pressure, what would be computed.
     Check(check::Arguments),
+    /// Run many cases of studies, other loads, engines, types or tolerances, on this machine or a cluster.
+    Campaign(campaign::Arguments),
     /// Chart speed against accuracy of every response method, how cost grows, and where each method fails.
     Chart(chart::Arguments),
     /// Set published tables beside our own numbers, each with its role.
@@ -90,6 +92,7 @@ fn main() -> ExitCode {
         Command::Import(arguments) => import::import(&arguments),
         Command::Keys(arguments) => keys::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Campaign(arguments) => campaign::campaign(&arguments),
         Command::Chart(arguments) => chart::chart(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Curves(arguments) => curves::curves(&arguments),

@@ -1,4 +1,5 @@
 //! One file a command: arguments in, exit code out.
+pub mod campaign;
 pub mod chart;
 pub mod check;
 pub mod compare;

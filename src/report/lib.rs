@@ -2,6 +2,8 @@
 
 #![deny(missing_docs)]
 
+#[doc(hidden)]
+pub mod campaign;
 mod captions;
 mod columns;
 pub mod csv;

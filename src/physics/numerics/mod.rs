@@ -22,6 +22,7 @@ pub(crate) mod matrix_product;
 pub mod maximise;
 pub(crate) mod periodic_sums;
 pub(crate) mod piecewise;
+pub mod normal;
 pub mod polyline;
 pub(crate) mod projections;
 pub mod quadrature;

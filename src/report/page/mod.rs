@@ -22,7 +22,8 @@ use crate::text::judged::is_apart;
 use crate::text::{dash, short};
 use crate::units::DEG_PER_RAD;
 use maud::{Markup, PreEscaped, html};
-use parts::{TABLES, conditions, findings, limits, model, page, parameters, picture, provenance, value_of};
+pub(crate) use parts::{TABLES, page};
+use parts::{conditions, findings, limits, model, parameters, picture, provenance, value_of};
 use question::{judged_cells, judged_heads, question, verdicts};
 
 const SCRIPT: &str = include_str!("page.js");
@@ -43,7 +44,7 @@ pub(crate) struct Prepared {
 }
 
 /// JSON in a page: within a script `<` begins comments and ends it, and the two separators once ended lines of scripts.
-fn embedded(data: &serde_json::Value) -> String {
+pub(crate) fn embedded(data: &serde_json::Value) -> String {
     let escaped = [('<', "\\u003c"), ('\u{2028}', "\\u2028"), ('\u{2029}', "\\u2029")];
     escaped.iter().fold(data.to_string(), |text, (c, by)| text.replace(*c, by))
 }

@@ -16,10 +16,10 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 const STYLE: &str = include_str!("page.css");
 
 /// Tables that sort and filter.
-pub(super) const TABLES: &str = include_str!("tables.js");
+pub(crate) const TABLES: &str = include_str!("tables.js");
 
 /// A page that needs nothing from elsewhere.
-pub(super) fn page(title: &str, body: &Markup) -> String {
+pub(crate) fn page(title: &str, body: &Markup) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {

@@ -7,6 +7,8 @@ pub mod bearings;
 #[doc(hidden)]
 pub mod buildable;
 pub mod calibrate;
+#[doc(hidden)]
+pub mod campaign;
 mod catalogue;
 mod catalogue_retuning;
 pub mod classification;

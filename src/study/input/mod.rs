@@ -1,5 +1,7 @@
 //! The only place that reads files: a study in TOML, the engine file and tables it names.
 
+#[doc(hidden)]
+pub mod campaign;
 pub mod error;
 mod files;
 #[doc(hidden)]

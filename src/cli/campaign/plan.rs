@@ -1,0 +1,168 @@
+//! `hartog campaign plan`.
+
+use super::processor_time;
+use crate::analysis::campaign::{Column, columns, run_cases};
+use crate::cli::exit::{DONE, fail, say, say_to_error};
+use crate::input::campaign::{Campaign, Drawing, read_campaign};
+use crate::input::{InputError, InputFile, MeasureSpec, Study, noted};
+use crate::report::campaign::Manifest;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Arguments of `campaign plan`.
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    /// Campaign file (TOML).
+    campaign: PathBuf,
+    /// Folder of the campaign.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+/// A shard takes about so long, s, and no less than the other where there are few cases.
+const SHARD: f64 = 60.0;
+const SHORT: f64 = 2.0;
+/// So many shards at least, where they are not shorter than that.
+const SHARDS: usize = 32;
+/// Cases of a shard at most.
+const MOST: usize = 100_000;
+
+/// Places in the campaign where cases are timed, and how many there; of cases that take no time, more.
+const PLACES: usize = 4;
+const CASES: usize = 8;
+const QUICK: (f64, usize) = (0.1, 1024);
+
+/// What reading the first case of every combination has told.
+struct Checked {
+    columns: Vec<Column>,
+    /// The first objective of the first study.
+    objective: Option<MeasureSpec>,
+    refused: Vec<(Vec<String>, InputError)>,
+    combinations: usize,
+}
+
+/// Plans a campaign.
+pub(super) fn plan(arguments: &Arguments) -> u8 {
+    crate::cli::threads(Some(1));
+    let (read, mut inputs) = noted(|| read_campaign(&arguments.campaign));
+    let campaign = match read {
+        Ok(campaign) => campaign,
+        Err(error) => return fail(&error),
+    };
+    let (checked, files) = check(&campaign);
+    for file in files {
+        if inputs.iter().all(|f| f.path != file.path) {
+            inputs.push(file);
+        }
+    }
+    let Some(objective) = &checked.objective else {
+        let (labels, error) = &checked.refused[0];
+        return fail(&format!("{error}\nso of {} and every other combination", labels.join(", ")));
+    };
+    let seconds = seconds_per_case(&campaign, &checked.columns);
+    let cases = campaign.cases().unwrap_or_default();
+    let per_shard = campaign.cases_per_shard.unwrap_or_else(|| cases_per_shard(cases, seconds));
+    let manifest = Manifest::new(&campaign, &inputs, (checked.columns, objective), (per_shard, seconds));
+    if let Err(error) = manifest.write(&arguments.out) {
+        return fail(&error);
+    }
+    for (labels, error) in checked.refused.iter().take(1) {
+        say_to_error(&format!("warning: {} of {} combinations are refused; {}:\n{error}", checked.refused.len(), checked.combinations, labels.join(", ")));
+    }
+    let folder = arguments.out.display();
+    say(&format!(
+        "{}: {cases} cases, {}\n  {}\n  {} files read; {} a case: {} in {} shards of {per_shard} cases\nwritten to {folder}: `hartog campaign run {folder}` runs it\n",
+        campaign.name,
+        campaign.each.name(),
+        question(&campaign),
+        inputs.len(),
+        duration(seconds),
+        processor_time(manifest.hours(cases)),
+        manifest.shards
+    ));
+    DONE
+}
+
+/// What varies, in a line.
+fn question(campaign: &Campaign) -> String {
+    let axes = campaign.axes.iter().map(|a| format!("{} {}", a.variants.len(), a.name));
+    let sample = campaign.sample.iter().map(|s| {
+        let by = match (&s.drawing, s.indices) {
+            (Drawing::Sobol, true) => "Saltelli's scheme",
+            (Drawing::Sobol, false) => "Sobol's sequence",
+            (Drawing::LatinHypercube, _) => "Latin hypercube",
+            (Drawing::Full, _) => "full grid",
+            (Drawing::Rows(_), _) => "table",
+        };
+        let keys: Vec<&str> = s.keys.iter().map(|k| k.name.as_str()).collect();
+        format!("{} points of {} ({by})", s.count().unwrap_or_default(), keys.join(", "))
+    });
+    axes.chain(sample).collect::<Vec<_>>().join(" x ")
+}
+
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s >= 1.0 => format!("{s:.2} s"),
+        s if s >= 1e-3 => format!("{:.2} ms", 1e3 * s),
+        s => format!("{:.1} µs", 1e6 * s),
+    }
+}
+
+/// Reads the study of every combination of what varies, with the first point of the sample.
+fn check(campaign: &Campaign) -> (Checked, Vec<InputFile>) {
+    let mut files: Vec<InputFile> = Vec::new();
+    let mut refused = Vec::new();
+    // of studies with the same columns one is enough
+    let mut studies: Vec<(Vec<Column>, Study)> = Vec::new();
+    let mut combinations = 0;
+    for case in campaign.first_cases() {
+        combinations += 1;
+        let (study, own) = noted(|| campaign.study_of_case(&case));
+        files.extend(own.into_iter().filter(|f| files.iter().all(|known| known.path != f.path)).collect::<Vec<_>>());
+        match study {
+            Ok(study) => {
+                let own = columns(campaign, std::iter::once(&study));
+                if studies.iter().all(|s| s.0 != own) {
+                    studies.push((own, study));
+                }
+            }
+            Err(error) => refused.push((campaign.labels(&case).into_iter().map(str::to_owned).collect(), error)),
+        }
+    }
+    let columns = columns(campaign, studies.iter().map(|s| &s.1));
+    let objective = studies.first().map(|s| s.1.objective.clone());
+    (Checked { columns, objective, refused, combinations }, files)
+}
+
+/// Time of a case, s: of some in a row at a few places, less that of the first one, which the others may share.
+fn seconds_per_case(campaign: &Campaign, columns: &[Column]) -> f64 {
+    let cases = campaign.cases().unwrap_or_default();
+    let timed = |start: usize, count: usize| {
+        let begun = Instant::now();
+        run_cases(campaign, columns, start..(start + count).min(cases), &[], &mut |_, _| {});
+        begun.elapsed().as_secs_f64()
+    };
+    let place = |i: usize| {
+        // the golden ratio spreads places over any number of cases
+        let share = (0.5 + 0.618_034 * i as f64).fract();
+        let start = (share * cases as f64) as usize;
+        let one = timed(start, 1);
+        let some = CASES.min(cases - start);
+        let mut taken = (timed(start, some), some);
+        if taken.0 < QUICK.0 && cases - start > some {
+            let more = QUICK.1.min(cases - start);
+            taken = (timed(start, more), more);
+        }
+        if taken.1 > 1 { ((taken.0 - one) / (taken.1 - 1) as f64).max(1e-7) } else { one }
+    };
+    (0..PLACES).map(place).sum::<f64>() / PLACES as f64
+}
+
+/// A round number of cases that take about a minute.
+fn cases_per_shard(cases: usize, seconds: f64) -> usize {
+    let of = |time: f64| (time / seconds).clamp(1.0, MOST as f64) as usize;
+    let most = of(SHARD).min(of(SHORT).max(cases.div_ceil(SHARDS))).max(1);
+    let ten = 10_usize.pow(most.ilog10());
+    [5, 2, 1].iter().map(|k| k * ten).find(|n| *n <= most).unwrap_or(1)
+}
+

@@ -1,0 +1,158 @@
+//! What a campaign is of.
+
+use super::dataset::CampaignError;
+use super::whole_file;
+use crate::analysis::campaign::{Column, Shard};
+use crate::input::campaign::{Campaign, read_campaign};
+use crate::input::{InputFile, MeasureSpec, checksum};
+use crate::manifest::PROGRAM;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+/// Its name.
+#[doc(hidden)]
+pub const MANIFEST: &str = "manifest.json";
+
+/// What a campaign is of, and how it is cut into shards.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[doc(hidden)]
+pub struct Manifest {
+    /// The program that planned it.
+    pub program: String,
+    /// CRC-32 of the program.
+    pub build: Option<u32>,
+    /// What the campaign is called by: the CRC-32 of all that its results depend on.
+    pub address: String,
+    /// What is computed of each case.
+    pub each: String,
+    /// The campaign, before its studies, their engines and tables.
+    pub inputs: Vec<InputFile>,
+    /// Names of what varies, and of sampled keys.
+    pub axes: Vec<String>,
+    /// How many cases there are.
+    pub cases: usize,
+    /// How many a shard has at most.
+    pub cases_per_shard: usize,
+    /// How many shards there are.
+    pub shards: usize,
+    /// Mean processor time of a case, s: of cases at random, where it was planned.
+    pub seconds_per_case: f64,
+    /// Columns of the tables.
+    pub columns: Vec<Column>,
+    /// The column of the first objective.
+    pub objective: String,
+    /// Whether more of that is better.
+    pub larger_is_better: bool,
+}
+
+/// CRC-32 of this program.
+pub(super) fn build() -> Option<u32> {
+    std::env::current_exe().and_then(|path| checksum(&path)).ok()
+}
+
+impl Manifest {
+    /// That of a campaign, of which `inputs` were read.
+    pub fn new(
+        campaign: &Campaign,
+        inputs: &[InputFile],
+        (columns, objective): (Vec<Column>, &MeasureSpec),
+        (cases_per_shard, seconds_per_case): (usize, f64),
+    ) -> Self {
+        let inputs: Vec<InputFile> = inputs.iter().map(|f| InputFile { path: f.path.canonicalize().unwrap_or_else(|_| f.path.clone()), ..f.clone() }).collect();
+        let axes = campaign.axes.iter().map(|a| &a.name).chain(campaign.sample.iter().flat_map(|s| &s.keys).map(|k| &k.name));
+        let mut own = Self {
+            program: PROGRAM.to_owned(),
+            build: build(),
+            address: String::new(),
+            each: campaign.each.name().to_owned(),
+            inputs,
+            axes: axes.cloned().collect(),
+            cases: campaign.cases().unwrap_or_default(),
+            cases_per_shard,
+            shards: campaign.shards(cases_per_shard).len(),
+            seconds_per_case,
+            columns,
+            objective: objective.column.clone(),
+            larger_is_better: objective.unit.is_inverse(),
+        };
+        own.address = own.address();
+        own
+    }
+
+    /// The checksum of all that results depend on; where files are does not count.
+    fn address(&self) -> String {
+        let files = self.inputs.iter().map(|f| format!("{} {} {:08x}", f.path.file_name().unwrap_or_default().display(), f.bytes, f.crc32));
+        let own = [self.program.clone(), format!("{:?}", self.build), self.cases_per_shard.to_string()];
+        let text: Vec<String> = own.into_iter().chain(files).collect();
+        format!("{:08x}", crc32fast::hash(text.join("\n").as_bytes()))
+    }
+
+    /// Processor time of some cases, hours.
+    pub fn hours(&self, cases: usize) -> f64 {
+        self.seconds_per_case * cases as f64 / 3600.0
+    }
+
+    /// Writes it into a folder.
+    ///
+    /// # Errors
+    /// [`CampaignError`] where another campaign is there, or that cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<(), CampaignError> {
+        let path = folder.join(MANIFEST);
+        if path.exists() {
+            let there = Self::read(folder)?;
+            if there.address != self.address {
+                let files = |m: &Self| m.inputs.first().map(|f| f.path.display().to_string()).unwrap_or_default();
+                return Err(CampaignError::Another { folder: folder.to_path_buf(), before: files(&there), why: there.difference(self) });
+            }
+            return Ok(());
+        }
+        if let Some(other) = ["cases", "receipts"].iter().map(|name| folder.join(name)).find(|p| p.exists()) {
+            return Err(CampaignError::Foreign { path: other, what: "is there without a campaign's manifest.json" });
+        }
+        whole_file::write(&path, format!("{}\n", serde_json::to_string_pretty(self).unwrap_or_default()).as_bytes())
+    }
+
+    /// Reads that of a folder.
+    ///
+    /// # Errors
+    /// [`CampaignError`] where there is none, or it is none of ours.
+    pub fn read(folder: &Path) -> Result<Self, CampaignError> {
+        let path = folder.join(MANIFEST);
+        let bytes = std::fs::read(&path).map_err(|_| CampaignError::NoManifest { folder: folder.to_path_buf() })?;
+        serde_json::from_slice(&bytes).map_err(|e| CampaignError::Damaged { path, why: e.to_string() })
+    }
+
+    /// What differs in a campaign that is planned now.
+    fn difference(&self, now: &Self) -> String {
+        if self.program != now.program || self.build != now.build {
+            return "it was planned by another build of the program".to_owned();
+        }
+        let name = |f: &InputFile| f.path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+        let changed = now.inputs.iter().find(|f| !self.inputs.iter().any(|b| name(b) == name(f) && b.crc32 == f.crc32 && b.bytes == f.bytes));
+        changed.map_or_else(|| "it is cut into other shards".to_owned(), |f| format!("`{}` is another file", name(f)))
+    }
+
+    /// Reads its campaign; program and inputs have to be those that it was planned with.
+    ///
+    /// # Errors
+    /// [`CampaignError::Changed`] where they are not.
+    pub fn campaign(&self) -> Result<Campaign, CampaignError> {
+        let changed = |what: String| CampaignError::Changed { what };
+        if self.program != PROGRAM || self.build != build() {
+            return Err(changed(format!("it was planned by another build of {}, this is {PROGRAM}", self.program)));
+        }
+        for input in &self.inputs {
+            let there = std::fs::metadata(&input.path).is_ok_and(|m| m.len() == input.bytes as u64);
+            if !there || checksum(&input.path).ok() != Some(input.crc32) {
+                return Err(changed(format!("`{}` is not as it was", input.path.display())));
+            }
+        }
+        let path: PathBuf = self.inputs.first().map(|f| f.path.clone()).unwrap_or_default();
+        read_campaign(&path).map_err(CampaignError::Input)
+    }
+
+    /// A shard of its campaign.
+    pub fn shard(&self, campaign: &Campaign, number: usize) -> Option<Shard> {
+        campaign.shards(self.cases_per_shard).into_iter().nth(number)
+    }
+}

@@ -1,0 +1,17 @@
+//! The folder of a campaign: its manifest, a table and a receipt a shard, and its page.
+//!
+//! A shard is a function of the manifest, the inputs that it lists and its number to bytes; its receipt is written after its table. Whatever is killed, repeated or done in another order leaves the same files.
+
+mod dataset;
+mod export;
+mod manifest;
+mod page;
+mod shard;
+mod tables;
+mod whole_file;
+
+pub use dataset::{CampaignError, Dataset, State};
+pub use export::{Scheduler, export};
+pub use manifest::{MANIFEST, Manifest};
+pub use page::{PAGE, write_page};
+pub use shard::{Receipt, write_shard};

@@ -1,0 +1,124 @@
+//! The cases of a campaign by their numbers: which values each has, and which cases a shard has.
+
+use super::points::points;
+use crate::input::campaign::{Campaign, Sample, Variant};
+use crate::input::{InputError, Study, overrides, read_with};
+use std::ops::Range;
+use std::path::Path;
+
+/// A case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// From 0.
+    pub number: usize,
+    /// Index of its value of each axis.
+    pub variants: Vec<usize>,
+    /// Of each sampled key.
+    pub values: Vec<f64>,
+}
+
+/// Cases of one shard: all have the same value of the first axis.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Shard {
+    /// Value of the first axis; `None` where there is no axis.
+    pub partition: Option<usize>,
+    /// Its cases.
+    pub cases: Range<usize>,
+}
+
+impl Campaign {
+    fn samples(&self) -> usize {
+        self.sample.as_ref().and_then(Sample::count).unwrap_or(1)
+    }
+
+    /// Indices of the values of the axes of a combination, the last one changing fastest.
+    fn variants(&self, mut combination: usize) -> Vec<usize> {
+        let mut list = vec![0; self.axes.len()];
+        for (own, axis) in list.iter_mut().zip(&self.axes).rev() {
+            *own = combination % axis.variants.len();
+            combination /= axis.variants.len();
+        }
+        list
+    }
+
+    /// How many combinations of what varies there are.
+    #[doc(hidden)]
+    pub fn combinations(&self) -> usize {
+        self.axes.iter().map(|a| a.variants.len()).product()
+    }
+
+    /// Cases by their numbers.
+    #[doc(hidden)]
+    pub fn cases_of(&self, range: Range<usize>) -> Vec<Case> {
+        let samples = self.samples();
+        let mut list = Vec::with_capacity(range.len());
+        let mut at = range.start;
+        while at < range.end {
+            let (combination, first) = (at / samples, at % samples);
+            let last = (first + range.end - at).min(samples);
+            let variants = self.variants(combination);
+            let values = self.sample.as_ref().map_or_else(|| vec![Vec::new(); last - first], |s| points(s, first..last));
+            for (i, values) in values.into_iter().enumerate() {
+                list.push(Case { number: at + i, variants: variants.clone(), values });
+            }
+            at += last - first;
+        }
+        list
+    }
+
+    /// The first case of each combination.
+    #[doc(hidden)]
+    pub fn first_cases(&self) -> impl Iterator<Item = Case> {
+        let samples = self.samples();
+        (0..self.combinations()).flat_map(move |i| self.cases_of(i * samples..i * samples + 1))
+    }
+
+    /// Shards of at most so many cases.
+    #[doc(hidden)]
+    pub fn shards(&self, most: usize) -> Vec<Shard> {
+        let parts = self.axes.first().map_or(1, |a| a.variants.len());
+        let each = self.cases().unwrap_or(0) / parts;
+        let of_part = |p: usize| {
+            let shard = move |start: usize| Shard {
+                partition: (!self.axes.is_empty()).then_some(p),
+                cases: p * each + start..p * each + (start + most).min(each),
+            };
+            (0..each).step_by(most).map(shard)
+        };
+        (0..parts).flat_map(of_part).collect()
+    }
+
+    fn chosen<'c>(&'c self, case: &Case) -> impl Iterator<Item = &'c Variant> {
+        let own: Vec<&Variant> = self.axes.iter().zip(&case.variants).map(|(axis, i)| &axis.variants[*i]).collect();
+        own.into_iter()
+    }
+
+    /// Labels of the values of the axes of a case.
+    #[doc(hidden)]
+    pub fn labels(&self, case: &Case) -> Vec<&str> {
+        self.chosen(case).map(|v| v.label.as_str()).collect()
+    }
+
+    /// The study file of a case: of several variants that name one the last.
+    pub(super) fn study_of(&self, case: &Case) -> &Path {
+        let named = self.chosen(case).filter_map(|v| v.study.as_deref()).last();
+        named.or(self.study.as_deref()).unwrap_or(&self.path)
+    }
+
+    /// What a case gives other values, in the order of the axes, then of the sample.
+    #[doc(hidden)]
+    pub fn set_of(&self, case: &Case) -> Vec<String> {
+        let varied = self.chosen(case).flat_map(|v| &v.set).map(|o| o.text().to_owned());
+        let keys = self.sample.iter().flat_map(|s| &s.keys);
+        varied.chain(keys.zip(&case.values).map(|(key, value)| format!("{}={value:?}", key.key))).collect()
+    }
+
+    /// Reads and checks the study of a case.
+    ///
+    /// # Errors
+    /// [`InputError`] with every mistake.
+    #[doc(hidden)]
+    pub fn study_of_case(&self, case: &Case) -> Result<Study, InputError> {
+        read_with(self.study_of(case), &overrides(&self.set_of(case))?)
+    }
+}

@@ -1,0 +1,158 @@
+//! The cases of a shard, one after the other.
+
+use super::cases::Case;
+use super::columns::{Cell, Column, index_of};
+use super::rows::{By, Row, Status, evaluated, rows};
+use super::setup::with_searches;
+use crate::absorber::mounted::with_law;
+use crate::absorber::types;
+use crate::analysis::searches::Searches;
+use crate::input::campaign::{Campaign, Each};
+use crate::input::{DesignSpec, InputError, Study};
+use std::ops::Range;
+
+/// A sampled key that is a parameter of a given design: what is behind it is shared by the cases that differ in nothing else.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct OfDesign {
+    design: usize,
+    absorber: usize,
+    parameter: usize,
+}
+
+/// The rows of a case, in the order of columns.
+pub type Rows = Vec<Vec<Cell>>;
+
+/// Where sampled keys lead in a study, if all of them are parameters of its designs: `design.0.absorber.0.type.tuned.stiffness_n_m_per_rad`.
+fn of_designs(campaign: &Campaign, study: &Study) -> Option<Vec<OfDesign>> {
+    let keys = &campaign.sample.as_ref()?.keys;
+    let one = |key: &str| {
+        let ["design", design, "absorber", absorber, "type", kind, parameter] = key.split('.').collect::<Vec<_>>()[..] else { return None };
+        let design = study.designs.iter().position(|d| d.name == design).or_else(|| design.parse().ok())?;
+        let absorber: usize = absorber.parse().ok()?;
+        let declaration = study.designs.get(design)?.absorbers.get(absorber)?.absorber.declaration()?;
+        (declaration.name == types::find(kind)?.name).then_some(())?;
+        Some(OfDesign { design, absorber, parameter: declaration.index(parameter)? })
+    };
+    keys.iter().map(|k| one(&k.key)).collect()
+}
+
+/// Designs with other values of some parameters; `None` where one is out of its range.
+fn with_values(designs: &[DesignSpec], of: &[OfDesign], values: &[f64]) -> Option<Vec<DesignSpec>> {
+    let mut designs = designs.to_vec();
+    for (place, value) in of.iter().zip(values) {
+        let own = &mut designs[place.design];
+        let law = own.absorbers[place.absorber].absorber.law()?;
+        if !law.declaration().parameters[place.parameter].range.holds(*value) {
+            return None;
+        }
+        own.absorbers = with_law(&own.absorbers, place.absorber, |law| {
+            let mut all = law.values();
+            all[place.parameter] = *value;
+            law.rebuilt(&all)
+        });
+    }
+    Some(designs)
+}
+
+fn refused(error: &InputError) -> Row {
+    let first = &error.mistakes[0];
+    let more = error.mistakes.len() - 1;
+    let more = if more > 0 { format!(", and {more} more") } else { String::new() };
+    Row::without(Status::Refused, format!("{}{more}", first.message))
+}
+
+/// A case by itself.
+fn alone(campaign: &Campaign, case: &Case) -> Vec<Row> {
+    let study = match campaign.study_of_case(case) {
+        Ok(study) => study,
+        Err(error) => return vec![refused(&error)],
+    };
+    match rows(&study, campaign.each) {
+        Ok(rows) if rows.is_empty() => vec![Row::without(Status::Refused, "the study has nothing of what is asked".into())],
+        Ok(rows) => rows,
+        Err(error) => vec![Row::without(Status::Unbounded, error.to_string())],
+    }
+}
+
+/// Finds exactly what may be the best of each design: what is above the best by less than both may err.
+fn confirm(searches: &Searches, of: &[OfDesign], (cases, found): (&[Case], &mut [Vec<Row>]), tolerance: f64) {
+    for i in 0..searches.study.designs.len() {
+        let best = found.iter().filter_map(|rows| rows.get(i)).map(|r| r.minimised).fold(f64::INFINITY, f64::min);
+        let may_win = |row: &Row| !row.exact && row.minimised <= best * (1.0 + tolerance) / (1.0 - tolerance);
+        for (case, rows) in cases.iter().zip(found.iter_mut()) {
+            let Some(own) = rows.get_mut(i).filter(|row| may_win(row)) else { continue };
+            if let Some(d) = with_values(&searches.study.designs, of, &case.values).map(|mut designs| designs.swap_remove(i)) {
+                *own = evaluated(searches, &d.name, &d.absorbers, By::Exact);
+            }
+        }
+    }
+}
+
+/// Cases that differ in parameters of given designs only, on one engine.
+fn together(campaign: &Campaign, study: &Study, of: &[OfDesign], cases: &[Case], put: &mut dyn FnMut(&Case, Vec<Row>)) {
+    let mut own = study.clone();
+    own.leave_searches_out();
+    let by = if campaign.tolerance.is_some() { By::Tables } else { By::Exact };
+    let done = with_searches(&own, campaign.tolerance, |searches| {
+        let rows_of = |case: &Case| {
+            let designs = with_values(&searches.study.designs, of, &case.values)?;
+            Some(designs.iter().map(|d| evaluated(searches, &d.name, &d.absorbers, by)).collect::<Vec<Row>>())
+        };
+        let mut found: Vec<Vec<Row>> = cases.iter().map(|case| rows_of(case).unwrap_or_else(|| alone(campaign, case))).collect();
+        if let Some(tolerance) = campaign.tolerance {
+            confirm(searches, of, (cases, &mut found), tolerance);
+        }
+        cases.iter().zip(found).for_each(|(case, rows)| put(case, rows));
+        Ok(())
+    });
+    if done.is_err() {
+        cases.iter().for_each(|case| put(case, alone(campaign, case)));
+    }
+}
+
+/// Computes cases in their order, and hands on the rows of each. `crashed`: those that end the program, which are told as such.
+#[doc(hidden)]
+pub fn run_cases(campaign: &Campaign, columns: &[Column], range: Range<usize>, crashed: &[usize], put: &mut dyn FnMut(usize, Rows)) {
+    let inputs = campaign.axes.len() + campaign.sample.as_ref().map_or(0, |s| s.keys.len()) + 3;
+    let mut put = |case: &Case, rows: Vec<Row>| {
+        put(case.number, rows.into_iter().map(|row| cells(campaign, columns, inputs, case, row)).collect());
+    };
+    // a shard may have as many cases as it likes: they are made some at a time
+    const SOME: usize = 4096;
+    for start in range.clone().step_by(SOME) {
+        let cases = campaign.cases_of(start..(start + SOME).min(range.end));
+        let is_crashed = |case: &Case| crashed.contains(&case.number);
+        for group in cases.chunk_by(|a, b| a.variants == b.variants && !is_crashed(a) && !is_crashed(b)) {
+            if is_crashed(&group[0]) {
+                put(&group[0], vec![Row::without(Status::Crashed, "it ended the program".into())]);
+                continue;
+            }
+            let shared = (campaign.each == Each::Evaluate && group.len() > 1).then(|| campaign.study_of_case(&group[0]).ok()).flatten();
+            match shared.and_then(|study| of_designs(campaign, &study).map(|of| (study, of))) {
+                Some((study, of)) => together(campaign, &study, &of, group, &mut put),
+                None => group.iter().for_each(|case| put(case, alone(campaign, case))),
+            }
+        }
+    }
+}
+
+/// The cells of a row.
+fn cells(campaign: &Campaign, columns: &[Column], inputs: usize, case: &Case, row: Row) -> Vec<Cell> {
+    let mut cells = vec![Cell::Empty; columns.len()];
+    let labels = campaign.axes.iter().zip(campaign.labels(case)).map(|(axis, label)| match label.parse() {
+        Ok(number) if axis.numeric => Cell::Number(number),
+        _ => Cell::Text(label.to_owned()),
+    });
+    let values = case.values.iter().map(|x| Cell::Number(*x));
+    let reason = if row.reason.is_empty() { Cell::Empty } else { Cell::Text(row.reason) };
+    let own = std::iter::once(Cell::Count(case.number as i64)).chain(labels).chain(values);
+    for (cell, value) in cells.iter_mut().zip(own.chain([Cell::Text(row.status.word().to_owned()), reason])) {
+        *cell = value;
+    }
+    for (name, value) in row.cells {
+        if let Some(i) = index_of(columns, inputs, &name) {
+            cells[i] = value;
+        }
+    }
+    cells
+}

@@ -20,6 +20,8 @@ pub enum File {
     Material,
     /// Compounds of rubber and oils for dampers.
     Compounds,
+    /// Many cases of studies, for `hartog campaign`.
+    Campaign,
 }
 
 impl From<File> for FileKind {
@@ -30,6 +32,7 @@ impl From<File> for FileKind {
             File::Sizing => Self::Sizing,
             File::Material => Self::Material,
             File::Compounds => Self::Compounds,
+            File::Campaign => Self::Campaign,
         }
     }
 }
@@ -47,6 +50,8 @@ pub enum Schema {
     Material,
     /// Compounds of rubber and oils for dampers.
     Compounds,
+    /// Many cases of studies, for `hartog campaign`.
+    Campaign,
     /// What a run found: `results.json`.
     Results,
 }
@@ -59,6 +64,7 @@ impl Schema {
             Self::Sizing => FileKind::Sizing.json_schema_text(),
             Self::Material => FileKind::Material.json_schema_text(),
             Self::Compounds => FileKind::Compounds.json_schema_text(),
+            Self::Campaign => FileKind::Campaign.json_schema_text(),
             Self::Results => format!("{:#}\n", results_json::json_schema()),
         }
     }

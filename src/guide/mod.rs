@@ -32,6 +32,10 @@ pub mod sizing {}
 #[cfg_attr(any(doc, doctest), doc = include_str!("tolerances_and_survival.md"))]
 pub mod tolerances_and_survival {}
 
+/// See `src/guide/campaigns.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("campaigns.md"))]
+pub mod campaigns {}
+
 /// See `src/guide/outputs.md`.
 #[cfg_attr(any(doc, doctest), doc = include_str!("outputs.md"))]
 pub mod outputs {}

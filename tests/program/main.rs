@@ -3,6 +3,7 @@
 
 mod answer_screen;
 mod bad_input;
+mod campaigns;
 mod commands;
 mod crank_page;
 mod curves;

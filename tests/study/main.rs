@@ -5,6 +5,7 @@ mod allocation;
 mod answers;
 mod buildable;
 mod calibration;
+mod campaigns;
 mod catalogue;
 mod certificates;
 mod choice;

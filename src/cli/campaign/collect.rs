@@ -30,9 +30,14 @@ pub(super) fn collect(arguments: &Arguments) -> u8 {
     let missing = dataset.missing();
     if !missing.is_empty() && !arguments.partial {
         let torn: Vec<String> = (0..manifest.shards).filter(|i| dataset.shards[*i] == State::Torn).map(|i| i.to_string()).collect();
-        let torn = if torn.is_empty() { String::new() } else { format!("; the tables of {} are not as they were written", torn.join(", ")) };
+        let torn =
+            if torn.is_empty() { String::new() } else { format!("; the tables of {} are not as they were written", torn.join(", ")) };
         let path = folder.display();
-        _ = fail(&format!("error: {} of {} shards are missing{torn}: `hartog campaign run {path}` makes them, --partial does without", missing.len(), manifest.shards));
+        _ = fail(&format!(
+            "error: {} of {} shards are missing{torn}: `hartog campaign run {path}` makes them, --partial does without",
+            missing.len(),
+            manifest.shards
+        ));
         return MISSING;
     }
     if missing.is_empty() {

@@ -17,8 +17,7 @@ pub struct Arguments {
 /// Writes what a scheduler needs into the folder of a campaign.
 pub(super) fn export(arguments: &Arguments) -> u8 {
     let program = std::env::current_exe().unwrap_or_else(|_| PathBuf::from("hartog"));
-    let written = Manifest::read(&arguments.folder)
-        .and_then(|manifest| files(&arguments.folder, &manifest, &program, arguments.scheduler));
+    let written = Manifest::read(&arguments.folder).and_then(|manifest| files(&arguments.folder, &manifest, &program, arguments.scheduler));
     match written {
         Ok(words) => {
             say(&words);

@@ -27,17 +27,21 @@ const SHARDS: usize = 32;
 /// Cases of a shard at most.
 const MOST: usize = 100_000;
 
-/// Places in the campaign where cases are timed, and how many there; of cases that take no time, more.
-const PLACES: usize = 4;
-const CASES: usize = 8;
+/// Places in the campaign where cases are timed, and how many there; of cases that take no time, more, and of slow ones the first only.
+const PLACES: usize = 8;
+const CASES: usize = 4;
 const QUICK: (f64, usize) = (0.1, 1024);
+const SLOW: f64 = 0.5;
+
+/// A combination by its labels, and why it is refused.
+type Refused = (Vec<String>, InputError);
 
 /// What reading the first case of every combination has told.
 struct Checked {
     columns: Vec<Column>,
     /// The first objective of the first study.
     objective: Option<MeasureSpec>,
-    refused: Vec<(Vec<String>, InputError)>,
+    refused: Vec<Refused>,
     combinations: usize,
 }
 
@@ -59,6 +63,7 @@ pub(super) fn plan(arguments: &Arguments) -> u8 {
         let (labels, error) = &checked.refused[0];
         return fail(&format!("{error}\nso of {} and every other combination", labels.join(", ")));
     };
+    let refused = told(&checked);
     let seconds = seconds_per_case(&campaign, &checked.columns);
     let cases = campaign.cases().unwrap_or_default();
     let per_shard = campaign.cases_per_shard.unwrap_or_else(|| cases_per_shard(cases, seconds));
@@ -66,8 +71,8 @@ pub(super) fn plan(arguments: &Arguments) -> u8 {
     if let Err(error) = manifest.write(&arguments.out) {
         return fail(&error);
     }
-    for (labels, error) in checked.refused.iter().take(1) {
-        say_to_error(&format!("warning: {} of {} combinations are refused; {}:\n{error}", checked.refused.len(), checked.combinations, labels.join(", ")));
+    if !refused.is_empty() {
+        say_to_error(&refused);
     }
     let folder = arguments.out.display();
     say(&format!(
@@ -81,6 +86,25 @@ pub(super) fn plan(arguments: &Arguments) -> u8 {
         manifest.shards
     ));
     DONE
+}
+
+/// Refusals of different kinds that are told.
+const KINDS: usize = 3;
+
+/// Combinations that are refused, one of each kind.
+fn told(checked: &Checked) -> String {
+    let mut kinds: Vec<(&str, usize, &Refused)> = Vec::new();
+    for own in &checked.refused {
+        let message = own.1.mistakes[0].message.as_str();
+        match kinds.iter_mut().find(|k| k.0 == message) {
+            Some(known) => known.1 += 1,
+            None => kinds.push((message, 1, own)),
+        }
+    }
+    let one = |(_, count, (labels, error)): &(&str, usize, &Refused)| {
+        format!("warning: {count} of {} combinations are refused, as {}:\n{error}", checked.combinations, labels.join(", "))
+    };
+    kinds.iter().take(KINDS).map(one).collect::<Vec<_>>().join("\n")
 }
 
 /// What varies, in a line.
@@ -147,6 +171,9 @@ fn seconds_per_case(campaign: &Campaign, columns: &[Column]) -> f64 {
         let share = (0.5 + 0.618_034 * i as f64).fract();
         let start = (share * cases as f64) as usize;
         let one = timed(start, 1);
+        if one > SLOW {
+            return one;
+        }
         let some = CASES.min(cases - start);
         let mut taken = (timed(start, some), some);
         if taken.0 < QUICK.0 && cases - start > some {
@@ -165,4 +192,3 @@ fn cases_per_shard(cases: usize, seconds: f64) -> usize {
     let ten = 10_usize.pow(most.ilog10());
     [5, 2, 1].iter().map(|k| k * ten).find(|n| *n <= most).unwrap_or(1)
 }
-

@@ -1,71 +1,13 @@
 //! Which shards of a campaign are done.
 
+use super::error::CampaignError;
 use super::manifest::Manifest;
 use super::shard::{Receipt, receipt_path, table_path};
 use super::whole_file::UNFINISHED;
-use crate::files::WriteError;
 use crate::input::campaign::Campaign;
-use crate::input::{InputError, checksum};
+use crate::input::checksum;
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
-
-/// What keeps a campaign from going on.
-#[derive(Debug, thiserror::Error)]
-#[doc(hidden)]
-pub enum CampaignError {
-    /// A file cannot be written.
-    #[error(transparent)]
-    File(#[from] WriteError),
-    /// The campaign cannot be read.
-    #[error(transparent)]
-    Input(InputError),
-    /// There is no campaign.
-    #[error("error: {} holds no manifest.json, expected the folder of a campaign: `hartog campaign plan FLEET.toml --out DIR` makes one", folder.display())]
-    NoManifest {
-        /// The folder.
-        folder: PathBuf,
-    },
-    /// Another campaign is there.
-    #[error("error: {} is of another campaign, of {before}: {why}; name another folder with --out", folder.display())]
-    Another {
-        /// The folder.
-        folder: PathBuf,
-        /// The file of the other one.
-        before: String,
-        /// What differs.
-        why: String,
-    },
-    /// Program or inputs have changed since the campaign was planned.
-    #[error("error: the campaign cannot go on: {what}; plan it anew in another folder")]
-    Changed {
-        /// What has changed.
-        what: String,
-    },
-    /// A file is damaged.
-    #[error("error: {} is damaged: {why}", path.display())]
-    Damaged {
-        /// The file.
-        path: PathBuf,
-        /// How.
-        why: String,
-    },
-    /// A file is none of the campaign's.
-    #[error("error: {} {what}, expected nothing but what the campaign writes there: move it away", path.display())]
-    Foreign {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        what: &'static str,
-    },
-    /// There is no shard of this number.
-    #[error("error: found shard {shard}, expected one from 0 to {}", shards - 1)]
-    NoShard {
-        /// The number.
-        shard: usize,
-        /// How many there are.
-        shards: usize,
-    },
-}
+use std::path::Path;
 
 /// What is known of a shard.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -120,6 +62,7 @@ impl Dataset {
     }
 
     /// The checksum of the tables that are done, by their names.
+    #[doc(hidden)]
     pub fn digest(&self) -> String {
         let lines: BTreeSet<String> = self.done().map(|r| format!("{} {}", r.table, r.crc32)).collect();
         format!("{:08x}", crc32fast::hash(lines.into_iter().collect::<Vec<_>>().join("\n").as_bytes()))
@@ -129,9 +72,11 @@ impl Dataset {
     ///
     /// # Errors
     /// [`CampaignError::Foreign`] for the first of them.
+    #[doc(hidden)]
     pub fn only_own(folder: &Path, manifest: &Manifest, campaign: &Campaign) -> Result<(), CampaignError> {
         let own: BTreeSet<String> = (0..manifest.shards).filter_map(|i| table_path(manifest, campaign, i)).collect();
-        let entries = |path: &Path| std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).map(|e| e.path()).collect::<Vec<_>>();
+        let entries =
+            |path: &Path| std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).map(|e| e.path()).collect::<Vec<_>>();
         let cases = folder.join("cases");
         for part in entries(&cases) {
             let files = if part.is_dir() { entries(&part) } else { vec![part] };
@@ -147,8 +92,10 @@ impl Dataset {
     }
 
     /// Removes what shards that were killed have not finished; none may be at work.
+    #[doc(hidden)]
     pub fn remove_unfinished(folder: &Path) {
-        let entries = |path: &Path| std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).map(|e| e.path()).collect::<Vec<_>>();
+        let entries =
+            |path: &Path| std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).map(|e| e.path()).collect::<Vec<_>>();
         let parts = entries(&folder.join("cases")).into_iter().flat_map(|p| entries(&p));
         let all = parts.chain(entries(&folder.join("receipts"))).chain(entries(folder));
         for file in all.filter(|f| f.file_name().is_some_and(|n| n.to_string_lossy().starts_with(UNFINISHED))) {

@@ -1,6 +1,6 @@
 //! Shards for programs that schedule: Slurm, Snakemake, GNU parallel, HyperQueue.
 
-use super::dataset::CampaignError;
+use super::error::CampaignError;
 use super::manifest::Manifest;
 use super::whole_file;
 use std::path::Path;

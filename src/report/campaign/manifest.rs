@@ -1,6 +1,6 @@
 //! What a campaign is of.
 
-use super::dataset::CampaignError;
+use super::error::CampaignError;
 use super::whole_file;
 use crate::analysis::campaign::{Column, Shard};
 use crate::input::campaign::{Campaign, read_campaign};
@@ -10,8 +10,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// Its name.
-#[doc(hidden)]
-pub const MANIFEST: &str = "manifest.json";
+const MANIFEST: &str = "manifest.json";
 
 /// What a campaign is of, and how it is cut into shards.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -58,7 +57,8 @@ impl Manifest {
         (columns, objective): (Vec<Column>, &MeasureSpec),
         (cases_per_shard, seconds_per_case): (usize, f64),
     ) -> Self {
-        let inputs: Vec<InputFile> = inputs.iter().map(|f| InputFile { path: f.path.canonicalize().unwrap_or_else(|_| f.path.clone()), ..f.clone() }).collect();
+        let inputs: Vec<InputFile> =
+            inputs.iter().map(|f| InputFile { path: f.path.canonicalize().unwrap_or_else(|_| f.path.clone()), ..f.clone() }).collect();
         let axes = campaign.axes.iter().map(|a| &a.name).chain(campaign.sample.iter().flat_map(|s| &s.keys).map(|k| &k.name));
         let mut own = Self {
             program: PROGRAM.to_owned(),
@@ -128,7 +128,8 @@ impl Manifest {
             return "it was planned by another build of the program".to_owned();
         }
         let name = |f: &InputFile| f.path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let changed = now.inputs.iter().find(|f| !self.inputs.iter().any(|b| name(b) == name(f) && b.crc32 == f.crc32 && b.bytes == f.bytes));
+        let changed =
+            now.inputs.iter().find(|f| !self.inputs.iter().any(|b| name(b) == name(f) && b.crc32 == f.crc32 && b.bytes == f.bytes));
         changed.map_or_else(|| "it is cut into other shards".to_owned(), |f| format!("`{}` is another file", name(f)))
     }
 

@@ -3,6 +3,7 @@
 //! A shard is a function of the manifest, the inputs that it lists and its number to bytes; its receipt is written after its table. Whatever is killed, repeated or done in another order leaves the same files.
 
 mod dataset;
+mod error;
 mod export;
 mod manifest;
 mod page;
@@ -10,8 +11,9 @@ mod shard;
 mod tables;
 mod whole_file;
 
-pub use dataset::{CampaignError, Dataset, State};
+pub use dataset::{Dataset, State};
+pub use error::CampaignError;
 pub use export::{Scheduler, export};
-pub use manifest::{MANIFEST, Manifest};
+pub use manifest::Manifest;
 pub use page::{PAGE, write_page};
 pub use shard::{Receipt, write_shard};

@@ -1,6 +1,7 @@
 //! `campaign.html`: what was asked, what came of it, the best, the yield, and what depends on what.
 
-use super::dataset::{CampaignError, Dataset};
+use super::dataset::Dataset;
+use super::error::CampaignError;
 use super::manifest::Manifest;
 use super::tables::{Rows, Values};
 use super::whole_file;
@@ -58,7 +59,13 @@ fn summary(manifest: &Manifest, rows: &Rows) -> String {
     if let Some((row, value)) = best_of(manifest, rows, 0..rows.count) {
         let of: Vec<String> = manifest.axes.iter().map(|a| format!("{a} {}", rows.word(a, row))).collect();
         let design = rows.word("design", row);
-        text += &format!("\nbest {}: {} by {design}, case {}: {}", heading(&manifest.objective), short(value), rows.word("case", row), of.join(", "));
+        text += &format!(
+            "\nbest {}: {} by {design}, case {}: {}",
+            heading(&manifest.objective),
+            short(value),
+            rows.word("case", row),
+            of.join(", ")
+        );
     }
     text
 }
@@ -95,7 +102,8 @@ fn best(manifest: &Manifest, rows: &Rows) -> Markup {
     let groups = rows.groups(&[first, "types"]);
     let shown: Vec<(Vec<String>, usize)> =
         groups.into_iter().filter_map(|(key, own)| best_of(manifest, rows, own.into_iter()).map(|b| (key, b.0))).take(TOLD).collect();
-    let columns: Vec<&str> = results(manifest, rows).filter(|name| shown.iter().any(|(_, row)| !rows.word(name, *row).is_empty())).collect();
+    let columns: Vec<&str> =
+        results(manifest, rows).filter(|name| shown.iter().any(|(_, row)| !rows.word(name, *row).is_empty())).collect();
     html! { @if !shown.is_empty() {
         h2 { "The best of each " (first.replace('_', " ")) " and type" }
         p class="soft" { "By the " (heading(&manifest.objective)) ", " @if manifest.larger_is_better { "the largest" } @else { "the smallest" } " of the rows that are as asked." }
@@ -218,7 +226,9 @@ fn sensitivity(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Markup 
         for (combination, values) in by_combination {
             let Some(found) = indices(&values, sample.keys.len()) else { continue };
             let labels = campaign.cases_of(combination * points..combination * points + 1).first().map(|c| campaign.labels(c).join(", "));
-            list.extend(sample.keys.iter().zip(found).map(|(k, index)| (key[0].clone(), labels.clone().unwrap_or_default(), k.name.clone(), index)));
+            list.extend(
+                sample.keys.iter().zip(found).map(|(k, index)| (key[0].clone(), labels.clone().unwrap_or_default(), k.name.clone(), index)),
+            );
         }
     }
     html! { @if !list.is_empty() {

@@ -1,6 +1,6 @@
 //! A shard's table and its receipt.
 
-use super::dataset::CampaignError;
+use super::error::CampaignError;
 use super::manifest::Manifest;
 use super::whole_file;
 use crate::analysis::campaign::{Cell, Rows, Status, run_cases};
@@ -62,7 +62,13 @@ pub(super) fn table_path(manifest: &Manifest, campaign: &Campaign, shard: usize)
 /// # Errors
 /// [`CampaignError`] where there is no such shard, or a file cannot be written.
 #[doc(hidden)]
-pub fn write_shard(folder: &Path, manifest: &Manifest, campaign: &Campaign, shard: usize, crashed: &[usize]) -> Result<Receipt, CampaignError> {
+pub fn write_shard(
+    folder: &Path,
+    manifest: &Manifest,
+    campaign: &Campaign,
+    shard: usize,
+    crashed: &[usize],
+) -> Result<Receipt, CampaignError> {
     let none = || CampaignError::NoShard { shard, shards: manifest.shards };
     let (own, table) = (manifest.shard(campaign, shard).ok_or_else(none)?, table_path(manifest, campaign, shard).ok_or_else(none)?);
     let mut all: Rows = Vec::new();

@@ -1,6 +1,7 @@
 //! The tables of a campaign in memory, column by column.
 
-use super::dataset::{CampaignError, Dataset};
+use super::dataset::Dataset;
+use super::error::CampaignError;
 use super::manifest::Manifest;
 use crate::parquet::{ReadColumn, read_columns};
 use std::collections::BTreeMap;

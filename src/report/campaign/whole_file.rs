@@ -1,6 +1,6 @@
 //! Files that are there as a whole or not at all.
 
-use super::dataset::CampaignError;
+use super::error::CampaignError;
 use crate::files::WriteError;
 use crate::reason::reason;
 use std::io::Write;

@@ -236,7 +236,13 @@ fn of_design(d: &DesignResult, error: ResponseError) -> RunError {
 }
 
 /// The method for each system, its tables filled.
-pub(super) fn methods<'a>(study: &Study, systems: &'a [System], grid: &'a Grid, progress: &dyn Progress, clock: &mut Clock) -> Vec<Method<'a>> {
+pub(super) fn methods<'a>(
+    study: &Study,
+    systems: &'a [System],
+    grid: &'a Grid,
+    progress: &dyn Progress,
+    clock: &mut Clock,
+) -> Vec<Method<'a>> {
     progress.stage("response of the chain", systems.len());
     let methods: Vec<Method> = systems
         .par_iter()

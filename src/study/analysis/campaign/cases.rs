@@ -66,6 +66,17 @@ impl Campaign {
         list
     }
 
+    /// A range of cases cut where another combination of what varies begins.
+    pub(super) fn by_combination(&self, range: Range<usize>) -> Vec<Range<usize>> {
+        let (samples, mut list, mut at) = (self.samples(), Vec::new(), range.start);
+        while at < range.end {
+            let end = ((at / samples + 1) * samples).min(range.end);
+            list.push(at..end);
+            at = end;
+        }
+        list
+    }
+
     /// The first case of each combination.
     #[doc(hidden)]
     pub fn first_cases(&self) -> impl Iterator<Item = Case> {
@@ -106,8 +117,7 @@ impl Campaign {
     }
 
     /// What a case gives other values, in the order of the axes, then of the sample.
-    #[doc(hidden)]
-    pub fn set_of(&self, case: &Case) -> Vec<String> {
+    fn set_of(&self, case: &Case) -> Vec<String> {
         let varied = self.chosen(case).flat_map(|v| &v.set).map(|o| o.text().to_owned());
         let keys = self.sample.iter().flat_map(|s| &s.keys);
         varied.chain(keys.zip(&case.values).map(|(key, value)| format!("{}={value:?}", key.key))).collect()

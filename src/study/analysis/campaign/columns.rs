@@ -96,9 +96,11 @@ fn of_study(study: &Study, each: Each) -> Vec<Column> {
         }
         list.extend((0..study.limits.len()).map(|i| column(at_worst(&of_limit(study, i)), Number)));
     }
-    let given = study.designs.iter().filter(|_| matches!(each, Each::Evaluate | Each::Robust)).map(|d| {
-        d.absorbers.iter().map(|m| m.absorber.declaration().into_iter().collect()).collect::<Vec<Vec<_>>>()
-    });
+    let given = study
+        .designs
+        .iter()
+        .filter(|_| matches!(each, Each::Evaluate | Each::Robust))
+        .map(|d| d.absorbers.iter().map(|m| m.absorber.declaration().into_iter().collect()).collect::<Vec<Vec<_>>>());
     let sought = |absorbers: &[AbsorberSpec]| absorbers.iter().map(|a| a.types.clone()).collect::<Vec<_>>();
     let found = study.optimise.iter().filter(|_| each != Each::Evaluate).map(|o| sought(&o.absorbers));
     for design in given.chain(found) {

@@ -115,7 +115,7 @@ pub fn indices(values: &[Option<f64>], keys: usize) -> Option<Vec<Index>> {
     let both = || blocks.iter().flat_map(|b| &b[..2]);
     let mean = both().sum::<f64>() / (2.0 * n);
     let variance = both().map(|x| (x - mean).powi(2)).sum::<f64>() / (2.0 * n);
-    if n < 2.0 || !(variance > 0.0) {
+    if n < 2.0 || variance <= 0.0 || variance.is_nan() {
         return None;
     }
     let of = |terms: Vec<f64>| {

@@ -8,7 +8,7 @@ use crate::analysis::timing::Clock;
 use crate::analysis::{DesignResult, OptimumResult, RunError, Silent, evaluate, robust};
 use crate::input::campaign::Each;
 use crate::input::{LimitSpec, Study};
-use crate::objective::{Condition, HELD, Measure, Shared, holds};
+use crate::objective::{Condition, HELD, Measure, Over, Shared, holds};
 use crate::optimise::{LoadCase, largest};
 use crate::response::{ResponseError, Work};
 
@@ -268,7 +268,9 @@ fn fronts(searches: &Searches) -> Result<Vec<Row>, RunError> {
             let mut row = point(&format!("front_{family}"), i, &p.design, p.dominated, p.kkt_residual);
             let own = evaluated(searches, "", &p.design, By::Exact);
             let known: Vec<String> = objectives(study).iter().map(|o| o.column.clone()).collect();
-            row.cells.extend(own.cells.into_iter().filter(|(name, _)| known.contains(name) || name.ends_with("_over_limit") || name == "limits_hold"));
+            row.cells.extend(
+                own.cells.into_iter().filter(|(name, _)| known.contains(name) || name.ends_with("_over_limit") || name == "limits_hold"),
+            );
             row.status(own.status, own.reason);
             rows.push(row);
         }
@@ -276,11 +278,8 @@ fn fronts(searches: &Searches) -> Result<Vec<Row>, RunError> {
     Ok(rows)
 }
 
-/// The rows of a case that changes more of its study than parameters of given designs.
-///
-/// # Errors
-/// [`RunError`] where a design has no finite response.
-pub(super) fn rows(study: &Study, each: Each) -> Result<Vec<Row>, RunError> {
+/// The study as far as rows of this kind ask for it: what costs time and reaches none of them is left out.
+pub(super) fn as_asked(study: &Study, each: Each) -> Study {
     let mut study = study.clone();
     match each {
         Each::Evaluate => study.leave_searches_out(),
@@ -288,6 +287,19 @@ pub(super) fn rows(study: &Study, each: Each) -> Result<Vec<Row>, RunError> {
         Each::Front => study.robust = None,
         Each::Robust => study.front = None,
     }
+    let needs_margin = study.measures().any(|m| matches!(m.measure.over, Over::Margin(_)));
+    if !needs_margin {
+        study.fatigue = None;
+    }
+    study
+}
+
+/// The rows of a case that changes more of its study than parameters of given designs.
+///
+/// # Errors
+/// [`RunError`] where a design has no finite response.
+pub(super) fn rows(study: &Study, each: Each) -> Result<Vec<Row>, RunError> {
+    let study = as_asked(study, each);
     with_searches(&study, None, |searches| match each {
         Each::Evaluate => Ok(searches.study.designs.iter().map(|d| evaluated(searches, &d.name, &d.absorbers, By::Exact)).collect()),
         Each::Optimise => {

@@ -13,7 +13,7 @@ use crate::objective::surrogate::Surrogate;
 use crate::optimise::LoadCase;
 use crate::response::Method;
 
-/// Every so many speeds are looked at first, where tables tell peaks.
+/// Every speed is looked at where tables tell peaks: a coarser look misses some, which no estimate of its error tells.
 const STRIDE: usize = 4;
 
 /// A finder that may tell the peaks of objectives by tables, with errors of at most a share.

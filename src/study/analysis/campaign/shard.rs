@@ -2,7 +2,7 @@
 
 use super::cases::Case;
 use super::columns::{Cell, Column, index_of};
-use super::rows::{By, Row, Status, evaluated, rows};
+use super::rows::{By, Row, Status, as_asked, evaluated, rows};
 use super::setup::with_searches;
 use crate::absorber::mounted::with_law;
 use crate::absorber::types;
@@ -88,26 +88,56 @@ fn confirm(searches: &Searches, of: &[OfDesign], (cases, found): (&[Case], &mut 
     }
 }
 
+/// What takes the rows of each case, in the order of the cases.
+type Put<'p> = &'p mut dyn FnMut(&Case, Vec<Row>);
+
 /// Cases that differ in parameters of given designs only, on one engine.
-fn together(campaign: &Campaign, study: &Study, of: &[OfDesign], cases: &[Case], put: &mut dyn FnMut(&Case, Vec<Row>)) {
-    let mut own = study.clone();
-    own.leave_searches_out();
+fn together(campaign: &Campaign, study: &Study, of: &[OfDesign], (range, crashed): (Range<usize>, &[usize]), put: Put) {
     let by = if campaign.tolerance.is_some() { By::Tables } else { By::Exact };
-    let done = with_searches(&own, campaign.tolerance, |searches| {
-        let rows_of = |case: &Case| {
-            let designs = with_values(&searches.study.designs, of, &case.values)?;
-            Some(designs.iter().map(|d| evaluated(searches, &d.name, &d.absorbers, by)).collect::<Vec<Row>>())
-        };
-        let mut found: Vec<Vec<Row>> = cases.iter().map(|case| rows_of(case).unwrap_or_else(|| alone(campaign, case))).collect();
-        if let Some(tolerance) = campaign.tolerance {
-            confirm(searches, of, (cases, &mut found), tolerance);
-        }
-        cases.iter().zip(found).for_each(|(case, rows)| put(case, rows));
+    let done = with_searches(&as_asked(study, campaign.each), campaign.tolerance, |searches| {
+        in_parts(campaign, range.clone(), |cases| {
+            let rows_of = |case: &Case| {
+                let designs = with_values(&searches.study.designs, of, &case.values)?;
+                Some(designs.iter().map(|d| evaluated(searches, &d.name, &d.absorbers, by)).collect::<Vec<Row>>())
+            };
+            let one = |case: &Case| ended(case, crashed).or_else(|| rows_of(case)).unwrap_or_else(|| alone(campaign, case));
+            let mut found: Vec<Vec<Row>> = cases.iter().map(one).collect();
+            if let Some(tolerance) = campaign.tolerance {
+                confirm(searches, of, (cases, &mut found), tolerance);
+            }
+            cases.iter().zip(found).for_each(|(case, rows)| put(case, rows));
+        });
         Ok(())
     });
     if done.is_err() {
-        cases.iter().for_each(|case| put(case, alone(campaign, case)));
+        each_alone(campaign, (range, crashed), put);
     }
+}
+
+/// Each case by itself.
+fn each_alone(campaign: &Campaign, (range, crashed): (Range<usize>, &[usize]), put: Put) {
+    in_parts(campaign, range, |cases| {
+        cases.iter().for_each(|case| put(case, ended(case, crashed).unwrap_or_else(|| alone(campaign, case))));
+    });
+}
+
+/// So many cases are made at a time.
+const PART: usize = 4096;
+
+/// Cases of a range, some at a time: there may be as many as one likes.
+fn in_parts(campaign: &Campaign, range: Range<usize>, mut of: impl FnMut(&[Case])) {
+    for start in range.clone().step_by(PART) {
+        of(&campaign.cases_of(start..(start + PART).min(range.end)));
+    }
+}
+
+/// The row of a case that is known to end the program.
+fn ended(case: &Case, crashed: &[usize]) -> Option<Vec<Row>> {
+    #[cfg(feature = "poison")]
+    if !crashed.contains(&case.number) && std::env::var("HARTOG_POISON").is_ok_and(|n| n == case.number.to_string()) {
+        std::process::abort();
+    }
+    crashed.contains(&case.number).then(|| vec![Row::without(Status::Crashed, "it ended the program".into())])
 }
 
 /// Computes cases in their order, and hands on the rows of each. `crashed`: those that end the program, which are told as such.
@@ -117,21 +147,12 @@ pub fn run_cases(campaign: &Campaign, columns: &[Column], range: Range<usize>, c
     let mut put = |case: &Case, rows: Vec<Row>| {
         put(case.number, rows.into_iter().map(|row| cells(campaign, columns, inputs, case, row)).collect());
     };
-    // a shard may have as many cases as it likes: they are made some at a time
-    const SOME: usize = 4096;
-    for start in range.clone().step_by(SOME) {
-        let cases = campaign.cases_of(start..(start + SOME).min(range.end));
-        let is_crashed = |case: &Case| crashed.contains(&case.number);
-        for group in cases.chunk_by(|a, b| a.variants == b.variants && !is_crashed(a) && !is_crashed(b)) {
-            if is_crashed(&group[0]) {
-                put(&group[0], vec![Row::without(Status::Crashed, "it ended the program".into())]);
-                continue;
-            }
-            let shared = (campaign.each == Each::Evaluate && group.len() > 1).then(|| campaign.study_of_case(&group[0]).ok()).flatten();
-            match shared.and_then(|study| of_designs(campaign, &study).map(|of| (study, of))) {
-                Some((study, of)) => together(campaign, &study, &of, group, &mut put),
-                None => group.iter().for_each(|case| put(case, alone(campaign, case))),
-            }
+    for own in campaign.by_combination(range) {
+        let first = campaign.cases_of(own.start..own.start + 1);
+        let shared = (campaign.each == Each::Evaluate && own.len() > 1).then(|| campaign.study_of_case(&first[0]).ok()).flatten();
+        match shared.and_then(|study| of_designs(campaign, &study).map(|of| (study, of))) {
+            Some((study, of)) => together(campaign, &study, &of, (own, crashed), &mut put),
+            None => each_alone(campaign, (own, crashed), &mut put),
         }
     }
 }

@@ -132,7 +132,7 @@ pub(crate) struct RawSampled {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawNormal {
-    /// Mean.
+    /// Mean of all values.
     #[schemars(extend("examples" = [1]))]
     pub mean: At<f64>,
     /// Standard deviation.

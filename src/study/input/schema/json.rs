@@ -1,6 +1,7 @@
 //! What files may hold, as JSON Schema: from the types that read them.
 
 use super::absorber::{RawEngineInertia, RawKind, RawLocked, RawMeasured, RawOn, RawOptimised, RawProny, RawSeeded, RawSize, RawType};
+use super::campaign::RawCampaign;
 use super::engine::RawEngine;
 use super::material::RawMaterialFile;
 use super::material_states::RawMaterialStates;
@@ -30,11 +31,13 @@ pub enum FileKind {
     Material,
     /// Compounds of rubber and oils for dampers.
     Compounds,
+    /// Many cases of studies, for `hartog campaign`.
+    Campaign,
 }
 
 impl FileKind {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Study, Self::Engine, Self::Sizing, Self::Material, Self::Compounds];
+    pub const ALL: [Self; 6] = [Self::Study, Self::Engine, Self::Sizing, Self::Material, Self::Compounds, Self::Campaign];
 
     /// Its word.
     pub fn name(self) -> &'static str {
@@ -44,6 +47,7 @@ impl FileKind {
             Self::Sizing => "sizing",
             Self::Material => "material",
             Self::Compounds => "compounds",
+            Self::Campaign => "campaign",
         }
     }
 
@@ -59,6 +63,7 @@ impl FileKind {
             Self::Sizing => generator.root_schema_for::<RawSizing>(),
             Self::Material => generator.root_schema_for::<RawMaterialFile>(),
             Self::Compounds => generator.root_schema_for::<RawSubstances>(),
+            Self::Campaign => generator.root_schema_for::<RawCampaign>(),
         };
         let mut value = schema.to_value();
         without_null(&mut value);

@@ -1,0 +1,10 @@
+//! Campaigns: many cases of studies, each with other values of some keys.
+
+mod axes;
+mod named;
+mod read;
+mod sample;
+mod spec;
+
+pub use read::read_campaign;
+pub use spec::{Axis, Campaign, Distribution, Drawing, Each, Sample, Sampled, Variant};

@@ -1,0 +1,65 @@
+//! What axes and samples of a campaign share: files, columns, and keys with values.
+
+use crate::input::error::{At, Check, looked_for};
+use crate::input::overrides::Override;
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+/// A file that is named.
+pub(super) fn file(check: &mut Check, folder: &Path, name: &At<String>) -> PathBuf {
+    let path = folder.join(name.get_ref());
+    if !path.is_file() {
+        check.wrong_with_help(name, "file not found", looked_for(&path));
+    }
+    path
+}
+
+pub(super) fn whole(check: &mut Check, n: &At<i64>, least: i64, most: i64) -> usize {
+    let x = *n.get_ref();
+    if !(least..=most).contains(&x) {
+        check.wrong(n, format!("found {x}, expected a whole number from {least} to {most}"));
+    }
+    usize::try_from(x.clamp(least, most)).unwrap_or_default()
+}
+
+/// The column of a key that has no name of its own: the last of its parts that is no number.
+pub(super) fn column(key: &str) -> &str {
+    key.rsplit('.').find(|part| part.parse::<usize>().is_err()).unwrap_or(key)
+}
+
+/// Columns that every table has.
+pub(super) const TAKEN: [&str; 5] = ["case", "status", "reason", "design", "types"];
+
+pub(super) fn named<T>(
+    check: &mut Check,
+    at: &At<T>,
+    name: Option<&At<String>>,
+    key: Option<&At<String>>,
+    names: &mut HashSet<String>,
+) -> Option<String> {
+    let own = match (name, key) {
+        (Some(name), _) => name.get_ref().clone(),
+        (None, Some(key)) => column(key.get_ref()).to_owned(),
+        (None, None) => {
+            check.wrong(at, "key `name` is missing in this table");
+            return None;
+        }
+    };
+    let plain =
+        own.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && own.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let mut wrong = |message: String| match name.or(key) {
+        Some(place) => check.wrong(place, message),
+        None => check.wrong(at, message),
+    };
+    if !plain {
+        wrong(format!("found `{own}` as the name of a column, expected letters, digits and `_`; `name` gives another one"));
+    } else if TAKEN.contains(&own.as_str()) || !names.insert(own.clone()) {
+        wrong(format!("found the column `{own}` a second time, expected different ones; `name` gives another one"));
+    }
+    Some(own)
+}
+
+/// An override, as `--set` takes it.
+pub(super) fn set(check: &mut Check, at: &At<String>, text: &str) -> Option<Override> {
+    Override::parse(text).map_err(|e| check.wrong_with_help(at, e.message, e.help.unwrap_or_else(|| "as --set takes it".into()))).ok()
+}

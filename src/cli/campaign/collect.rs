@@ -1,6 +1,6 @@
 //! `hartog campaign collect`.
 
-use super::MISSING;
+use super::told::MISSING;
 use crate::cli::exit::{DONE, FAILED, fail, say};
 use crate::report::campaign::{Dataset, Manifest, PAGE, State, write_page};
 use std::path::PathBuf;

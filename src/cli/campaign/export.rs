@@ -1,6 +1,6 @@
 //! `hartog campaign export`: the shards for programs that schedule.
 
-use crate::cli::exit::{DONE, fail, say};
+use crate::cli::exit::{DONE, fail, say_raw};
 use crate::report::campaign::{Manifest, Scheduler, export as files};
 use std::path::PathBuf;
 
@@ -20,7 +20,8 @@ pub(super) fn export(arguments: &Arguments) -> u8 {
     let written = Manifest::read(&arguments.folder).and_then(|manifest| files(&arguments.folder, &manifest, &program, arguments.scheduler));
     match written {
         Ok(words) => {
-            say(&words);
+            // a line for a shell stays one
+            say_raw(&words);
             DONE
         }
         Err(error) => fail(&error),

@@ -6,9 +6,7 @@ mod isolate;
 mod plan;
 mod run;
 mod status;
-
-/// Exit code: shards are missing.
-const MISSING: u8 = 3;
+mod told;
 
 /// Arguments of `campaign`.
 #[derive(Debug, clap::Args)]
@@ -46,14 +44,5 @@ pub fn campaign(arguments: &Arguments) -> u8 {
         Command::Status(arguments) => status::status(arguments),
         Command::Collect(arguments) => collect::collect(arguments),
         Command::Export(arguments) => export::export(arguments),
-    }
-}
-
-/// Hours of a processor, in words.
-fn processor_time(hours: f64) -> String {
-    match hours {
-        h if h >= 1.0 => format!("{h:.1} processor-hours"),
-        h if h >= 1.0 / 60.0 => format!("{:.1} processor-minutes", 60.0 * h),
-        h => format!("{:.1} processor-seconds", 3600.0 * h),
     }
 }

@@ -1,6 +1,6 @@
 //! `hartog campaign plan`.
 
-use super::processor_time;
+use super::told::processor_time;
 use crate::analysis::campaign::{Column, columns, run_cases};
 use crate::cli::exit::{DONE, fail, say, say_to_error};
 use crate::input::campaign::{Campaign, Drawing, read_campaign};

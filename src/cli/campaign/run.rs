@@ -1,7 +1,7 @@
 //! `hartog campaign run`: a shard in this program, or several by workers, each a program of its own.
 
-use super::MISSING;
 use super::isolate::{crashing, worker};
+use super::told::MISSING;
 use crate::analysis::Progress;
 use crate::analysis::campaign::{Status, run_cases};
 use crate::cli::exit::{BAD_INPUT, DONE, FAILED, fail, say, say_to_error};

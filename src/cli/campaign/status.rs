@@ -1,6 +1,6 @@
 //! `hartog campaign status`.
 
-use super::{MISSING, processor_time};
+use super::told::{MISSING, processor_time};
 use crate::analysis::campaign::Status;
 use crate::cli::exit::{DONE, fail, say, say_raw};
 use crate::report::campaign::{Dataset, Manifest, State};

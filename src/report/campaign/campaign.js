@@ -3,7 +3,7 @@
   const data = JSON.parse(document.getElementById("data").textContent), names = Object.keys(data.columns), byId = id => document.getElementById(id);
   const put = (select, list, chosen) => { for (const name of list) { const o = document.createElement("option"); o.textContent = name; select.append(o); } if (chosen !== undefined) select.value = chosen; };
   const across = byId("across"), up = byId("up"), of = byId("of"), designs = [...new Set(data.design)].filter(d => d);
-  put(across, names, names[1] ?? names[0]); put(up, names, names[2] ?? names[0]); put(of, ["all", ...designs]);
+  put(across, names, data.across ?? names[0]); put(up, names, names.includes(data.up) ? data.up : names[0]); put(of, ["all", ...designs]);
   const ns = "http://www.w3.org/2000/svg", W = 960, H = 420, L = 80, R = 20, T = 15, B = 45;
   const make = (tag, attributes, text) => { const e = document.createElementNS(ns, tag); for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v); if (text !== undefined) e.textContent = text; return e; };
   const short = x => Number(x.toPrecision(4)).toString();

@@ -39,15 +39,15 @@ pub fn write_page(folder: &Path, manifest: &Manifest, campaign: &Campaign, datas
     let body = html! {
         h1 { "Campaign " (campaign.name) }
         (asked(manifest, campaign, dataset))
-        (best(manifest, &rows))
-        (yields(manifest, &rows))
-        (distributions(manifest, &rows))
+        (best(manifest, campaign, &rows))
+        (yields(campaign, &rows))
+        (distributions(manifest, campaign, &rows))
         (effects(manifest, campaign, &rows))
         (sensitivity(manifest, campaign, &rows))
         (scatter())
         (failures(&rows))
         (provenance(manifest, dataset))
-        script type="application/json" id="data" { (PreEscaped(embedded(&data(&rows)))) }
+        script type="application/json" id="data" { (PreEscaped(embedded(&data(manifest, &rows)))) }
         script { (PreEscaped(TABLES)) (PreEscaped(SCRIPT)) }
     };
     whole_file::write(&folder.join(PAGE), page(&format!("{} – hartog", campaign.name), &body).as_bytes())?;
@@ -68,6 +68,11 @@ fn summary(manifest: &Manifest, rows: &Rows) -> String {
         );
     }
     text
+}
+
+/// What rows are compared by: the first two of what varies, and the types.
+fn compared_by(campaign: &Campaign) -> Vec<&str> {
+    campaign.axes.iter().take(2).map(|a| a.name.as_str()).chain(["types"]).collect()
 }
 
 /// The row with the best objective of those that are as asked.
@@ -97,25 +102,35 @@ fn results<'m>(manifest: &'m Manifest, rows: &'m Rows) -> impl Iterator<Item = &
     names.map(|(name, _)| name.as_str()).filter(own)
 }
 
-fn best(manifest: &Manifest, rows: &Rows) -> Markup {
-    let first = manifest.axes.first().map_or("design", String::as_str);
-    let groups = rows.groups(&[first, "types"]);
+fn best(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Markup {
+    let by = compared_by(campaign);
+    let groups = rows.groups(&by);
     let shown: Vec<(Vec<String>, usize)> =
         groups.into_iter().filter_map(|(key, own)| best_of(manifest, rows, own.into_iter()).map(|b| (key, b.0))).take(TOLD).collect();
     let columns: Vec<&str> =
         results(manifest, rows).filter(|name| shown.iter().any(|(_, row)| !rows.word(name, *row).is_empty())).collect();
+    let others: Vec<&str> = manifest.axes.iter().map(String::as_str).filter(|a| !by.contains(a)).collect();
     html! { @if !shown.is_empty() {
-        h2 { "The best of each " (first.replace('_', " ")) " and type" }
+        h2 { "The best of each " (words(&by)) }
         p class="soft" { "By the " (heading(&manifest.objective)) ", " @if manifest.larger_is_better { "the largest" } @else { "the smallest" } " of the rows that are as asked." }
         div class="scroll" { table class="sorts" {
-            thead { tr { th { (first.replace('_', " ")) } th class="words" { "types" } th { "case" }
-                @for axis in manifest.axes.iter().skip(1) { th { (heading(axis)) } } @for name in &columns { th { (heading(name)) } } } }
+            thead { tr { @for name in &by { th class="words" { (heading(name)) } } th { "case" }
+                @for axis in &others { th { (heading(axis)) } } @for name in &columns { th { (heading(name)) } } } }
             tbody { @for (key, row) in &shown { tr {
-                td { (key[0]) } td class="words" { (key[1]) } td { (rows.word("case", *row)) }
-                @for axis in manifest.axes.iter().skip(1) { td { (rows.word(axis, *row)) } } @for name in &columns { td { (rows.word(name, *row)) } }
+                @for word in key { td class="words" { (word) } } td { (rows.word("case", *row)) }
+                @for axis in &others { td { (rows.word(axis, *row)) } } @for name in &columns { td { (rows.word(name, *row)) } }
             } } }
         } }
     } }
+}
+
+/// Names of columns as a list of words.
+fn words(names: &[&str]) -> String {
+    let names: Vec<String> = names.iter().map(|n| n.replace('_', " ")).collect();
+    match names.as_slice() {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        other => other.join(""),
+    }
 }
 
 /// A share of rows with its 95 % confidence interval \[Wilson 1927\].
@@ -126,16 +141,17 @@ fn share(good: usize, all: usize) -> String {
     format!("{:.1} % ({:.1} to {:.1})", 100.0 * p, 100.0 * (middle - half).max(0.0), 100.0 * (middle + half).min(1.0))
 }
 
-fn yields(manifest: &Manifest, rows: &Rows) -> Markup {
-    let first = manifest.axes.first().map_or("design", String::as_str);
+fn yields(campaign: &Campaign, rows: &Rows) -> Markup {
+    let by = compared_by(campaign);
     let hold = |row: &usize| rows.word("status", *row) == Status::Ok.word();
-    let groups: Vec<_> = rows.groups(&[first, "types"]).into_iter().filter(|(key, _)| !key[1].is_empty()).take(TOLD).collect();
-    html! { @if rows.numbers("limits_hold").is_some() && !groups.is_empty() {
+    let groups: Vec<_> =
+        rows.groups(&by).into_iter().filter(|(key, _)| key.last().is_some_and(|types| !types.is_empty())).take(TOLD).collect();
+    html! { @if !groups.is_empty() {
         h2 { "Yield" }
-        p class="soft" { "The share of rows whose status is ok, within all limits of their studies, with its 95 % confidence interval as if cases were drawn at random (Wilson)." }
+        p class="soft" { "The share of rows with a design whose status is ok, within all limits of their studies, with its 95 % confidence interval as if cases were drawn at random (Wilson)." }
         div class="scroll" { table class="sorts" {
-            thead { tr { th { (first.replace('_', " ")) } th class="words" { "types" } th { "rows" } th { "yield" } } }
-            tbody { @for (key, own) in &groups { tr { td { (key[0]) } td class="words" { (key[1]) } td { (own.len()) } td { (share(own.iter().filter(|r| hold(r)).count(), own.len())) } } } }
+            thead { tr { @for name in &by { th class="words" { (heading(name)) } } th { "rows" } th { "yield" } } }
+            tbody { @for (key, own) in &groups { tr { @for word in key { td class="words" { (word) } } td { (own.len()) } td { (share(own.iter().filter(|r| hold(r)).count(), own.len())) } } } }
         } }
     } }
 }
@@ -162,25 +178,26 @@ fn histogram(sorted: &[f64]) -> Markup {
     }
 }
 
-fn distributions(manifest: &Manifest, rows: &Rows) -> Markup {
-    let groups: Vec<_> = rows.groups(&["design"]).into_iter().filter(|(key, _)| !key[0].is_empty()).collect();
+fn distributions(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Markup {
+    let first = campaign.axes.first().map_or("types", |a| a.name.as_str());
+    let groups: Vec<_> = rows.groups(&[first, "design"]).into_iter().filter(|(key, _)| !key[1].is_empty()).collect();
     let one = |name: &str, own: &[usize]| {
         let all = rows.numbers(name)?;
         let mut values: Vec<f64> = own.iter().map(|r| all[*r]).filter(|x| x.is_finite()).collect();
         values.sort_by(f64::total_cmp);
         (!values.is_empty()).then_some(values)
     };
-    let list: Vec<(&str, &str, Vec<f64>)> = results(manifest, rows)
-        .flat_map(|name| groups.iter().filter_map(move |(key, own)| Some((name, key[0].as_str(), one(name, own)?))))
+    let list: Vec<(&str, &Vec<String>, Vec<f64>)> = results(manifest, rows)
+        .flat_map(|name| groups.iter().filter_map(move |(key, own)| Some((name, key, one(name, own)?))))
         .take(TOLD)
         .collect();
     html! {
         h2 { "Distributions of results" }
         div class="tools" { label { "Find " input type="search" data-of="distributions" aria-label="Find results"; } }
         div class="scroll" { table id="distributions" class="sorts" {
-            thead { tr { th { "result" } th class="words" { "design" } th { "rows" } th { "smallest" } th { "5 %" } th { "median" } th { "95 %" } th { "largest" } th { "" } } }
-            tbody { @for (name, design, values) in &list { tr {
-                td { (heading(name)) } td class="words" { (design) } td { (values.len()) }
+            thead { tr { th { "result" } th class="words" { (heading(first)) } th class="words" { "design" } th { "rows" } th { "smallest" } th { "5 %" } th { "median" } th { "95 %" } th { "largest" } th { "" } } }
+            tbody { @for (name, key, values) in &list { tr {
+                td { (heading(name)) } @for word in *key { td class="words" { (word) } } td { (values.len()) }
                 @for share in [0.0, 0.05, 0.5, 0.95, 1.0] { td { (short(quantile(values, share))) } }
                 td { (histogram(values)) }
             } } }
@@ -272,7 +289,7 @@ fn provenance(manifest: &Manifest, dataset: &Dataset) -> Markup {
 }
 
 /// Rows that are drawn, evenly chosen: columns of numbers, and the design.
-fn data(rows: &Rows) -> serde_json::Value {
+fn data(manifest: &Manifest, rows: &Rows) -> serde_json::Value {
     let step = rows.count.div_ceil(DRAWN).max(1);
     let chosen = || (0..rows.count).step_by(step);
     let numbers = rows.names.iter().zip(&rows.columns).filter_map(|(name, values)| match values {
@@ -284,5 +301,7 @@ fn data(rows: &Rows) -> serde_json::Value {
     });
     let columns: serde_json::Map<String, serde_json::Value> = numbers.collect();
     let designs: Vec<String> = chosen().map(|r| rows.word("design", r)).collect();
-    serde_json::json!({ "columns": columns, "design": designs, "rows": rows.count })
+    // what is sampled says more across than a few values
+    let across = manifest.axes.iter().rev().map(|a| heading(a)).find(|name| columns.contains_key(name));
+    serde_json::json!({ "columns": columns, "design": designs, "rows": rows.count, "across": across, "up": heading(&manifest.objective) })
 }

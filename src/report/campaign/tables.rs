@@ -77,7 +77,7 @@ impl Rows {
     pub fn word(&self, name: &str, row: usize) -> String {
         match self.names.iter().position(|n| n == name).map(|i| &self.columns[i]) {
             Some(Values::Words(all, list)) => all.get(row).copied().flatten().map_or_else(String::new, |i| list[i].clone()),
-            Some(Values::Numbers(all)) => all.get(row).filter(|x| x.is_finite()).map_or_else(String::new, |x| crate::text::short(*x)),
+            Some(Values::Numbers(all)) => all.get(row).filter(|x| x.is_finite()).map_or_else(String::new, |x| told(*x)),
             None => String::new(),
         }
     }
@@ -96,4 +96,10 @@ impl Rows {
         }
         list
     }
+}
+
+/// A whole number as it is, another one with four digits.
+fn told(x: f64) -> String {
+    const WHOLE: f64 = 1e9;
+    if x.fract() == 0.0 && x.abs() < WHOLE { format!("{x}") } else { crate::text::short(x) }
 }

@@ -7,6 +7,7 @@ mod files;
 #[doc(hidden)]
 pub mod import;
 pub mod keys;
+mod kinds;
 mod letters;
 pub mod matrices;
 pub mod measure;
@@ -39,6 +40,7 @@ pub use validation::{RETUNED, scatter_key};
 pub use wording::closest;
 
 use error::Source;
+use kinds::{another_kind, has, no_table};
 use overrides::{OfFile, Overrides};
 use std::path::Path;
 
@@ -54,31 +56,10 @@ pub fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, 
     validation::material::resolve(&source, &raw)
 }
 
-/// Whether a file has this key at its top.
-fn has(source: &Source, key: &str) -> bool {
-    source.parse::<toml::Table>().is_ok_and(|t| t.contains_key(key))
-}
-
 /// Whether a file that can be read is a sizing file.
 #[doc(hidden)]
 pub fn is_sizing(path: &Path) -> bool {
     Source::read(path).is_ok_and(|source| has(&source, "mechanism"))
-}
-
-fn another_kind(path: &Path, message: &str) -> InputError {
-    error::Mistake { message: message.to_owned(), place: error::Place::File(path.to_path_buf()), help: None }.into()
-}
-
-/// A file in TOML, not a table.
-///
-/// # Errors
-/// [`InputError`] that tells what takes the table.
-fn no_table(source: &Source, expected: &str, help: &str) -> Result<(), InputError> {
-    if !wording::is_table(source.text()) {
-        return Ok(());
-    }
-    let message = format!("found a table, expected {expected}");
-    Err(error::Mistake { message, place: error::Place::File(source.path().to_path_buf()), help: Some(help.to_owned()) }.into())
 }
 
 /// Reads and checks a sizing file and the tables it names.

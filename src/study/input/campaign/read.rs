@@ -4,9 +4,10 @@ use super::axes::axis;
 use super::named::{file, whole};
 use super::sample::sample;
 use super::spec::{Axis, Campaign, Each, MOST_CASES};
+use crate::input::InputError;
 use crate::input::error::{Check, Source};
+use crate::input::kinds::no_table;
 use crate::input::schema::campaign::{RawCampaign, RawEach};
-use crate::input::{InputError, no_table};
 use std::collections::HashSet;
 use std::path::Path;
 

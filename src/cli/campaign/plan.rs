@@ -155,6 +155,10 @@ fn check(campaign: &Campaign) -> (Checked, Vec<InputFile>) {
     }
     let columns = columns(campaign, studies.iter().map(|s| &s.1));
     let objective = studies.first().map(|s| s.1.objective.clone());
+    if let Some(other) = studies.iter().map(|s| &s.1.objective).find(|o| objective.as_ref().is_some_and(|first| first.column != o.column)) {
+        let first = objective.as_ref().map_or("", |o| o.column.as_str());
+        say_to_error(&format!("warning: studies differ in their first objective: the page compares by `{first}`, not by `{}`", other.column));
+    }
     (Checked { columns, objective, refused, combinations }, files)
 }
 

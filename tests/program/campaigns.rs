@@ -6,16 +6,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-fn hartog(folder: &Path, arguments: &[&str]) -> Output {
+pub(crate) fn hartog(folder: &Path, arguments: &[&str]) -> Output {
     Command::cargo_bin("hartog").expect("built").current_dir(folder).args(arguments).output().expect("it ran")
 }
 
-fn said(output: &Output) -> String {
+pub(crate) fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
 }
 
 /// Den Hartog's problem with other rings, each with its optimum, in shards of four.
-const OPTIMA: &str = r#"
+pub(crate) const OPTIMA: &str = r#"
 study = "studies/den_hartog.toml"
 each = "optimise"
 cases_per_shard = 4
@@ -54,7 +54,7 @@ normal = { mean = 3.4, deviation = 0.3 }
 "#;
 
 /// A folder with the campaign and what it reads.
-fn place(campaign: &str) -> tempfile::TempDir {
+pub(crate) fn place(campaign: &str) -> tempfile::TempDir {
     let place = tempfile::tempdir().expect("folder");
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies");
     fs::create_dir_all(place.path().join("studies/engines")).expect("made");
@@ -65,7 +65,7 @@ fn place(campaign: &str) -> tempfile::TempDir {
     place
 }
 
-fn planned(campaign: &str) -> tempfile::TempDir {
+pub(crate) fn planned(campaign: &str) -> tempfile::TempDir {
     let place = place(campaign);
     let plan = hartog(place.path(), &["campaign", "plan", "own.toml", "--out", "out"]);
     assert!(plan.status.success(), "{}", said(&plan));
@@ -73,7 +73,7 @@ fn planned(campaign: &str) -> tempfile::TempDir {
 }
 
 /// All files below a folder but the page, by their names.
-fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+pub(crate) fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut list = BTreeMap::new();
     for part in ["cases", "receipts"] {
         let mut folders = vec![folder.join(part)];
@@ -91,7 +91,7 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     list
 }
 
-fn run(place: &Path, more: &[&str]) -> Output {
+pub(crate) fn run(place: &Path, more: &[&str]) -> Output {
     hartog(place, &[&["campaign", "run", "out"], more].concat())
 }
 
@@ -129,7 +129,7 @@ fn largest_amplitude(mu: f64) -> f64 {
 }
 
 /// Rows of the tables by their columns.
-fn rows(out: &Path) -> Vec<BTreeMap<String, String>> {
+pub(crate) fn rows(out: &Path) -> Vec<BTreeMap<String, String>> {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     let mut list = Vec::new();
     for (path, _) in files(out).into_iter().filter(|f| f.0.extension().is_some_and(|e| e == "parquet")) {
@@ -307,102 +307,57 @@ fn mistakes_have_their_place() {
             "type.tuned.damping_n_m_s_per_rad\"",
             "found the column `damping_n_m_s_per_rad` a second time",
         ),
+        ("name = \"designs\"", "name = \"Status\"", "found `Status`, which is a column of results"),
+        ("[sample]\n", "[[vary]]\nname = \"again\"\nkey = \"design\"\nvalues = [[]]\n[sample]\n", "among the keys of another [[vary]]"),
         ("ring_inertia_kg_m2 = 0.1", "ring_inertia_kg_m2 = -1", "so of one and every other combination"),
     ] {
         assert!(VALUES.contains(from), "{from}");
         let place = place(&VALUES.replacen(from, to, 1));
         let plan = hartog(place.path(), &["campaign", "plan", "own.toml", "--out", "out"]);
         assert_eq!(plan.status.code(), Some(2), "{to}: {}", said(&plan));
-        assert!(said(&plan).contains(words) && said(&plan).contains(" --> "), "{to}: {}", said(&plan));
+        assert!(said(&plan).replace('\n', " ").contains(words) && said(&plan).contains(" --> "), "{to}: {}", said(&plan));
         assert!(!place.path().join("out").exists(), "{to}");
     }
+    let key = |i: usize| format!("[[sample.of]]\nkey = \"design.{i}\"\nname = \"k{i}\"\nuniform = [0, 1]\n");
+    let many = "study = \"studies/den_hartog.toml\"\neach = \"evaluate\"\n[sample]\nmethod = \"sobol\"\npoints = 2\n".to_owned();
+    let place = place(&(many + &(0..101).map(key).collect::<String>()));
+    let plan = hartog(place.path(), &["campaign", "plan", "own.toml", "--out", "out"]);
+    assert!(
+        plan.status.code() == Some(2) && said(&plan).contains("found 101 keys of Sobol's sequence, expected at most 100"),
+        "{}",
+        said(&plan)
+    );
 }
 
-/// Workers of a campaign, by the words they were started with.
-#[cfg(target_os = "linux")]
-fn workers(out: &Path) -> Vec<String> {
-    let is_worker = |pid: &String| {
-        let words = fs::read(format!("/proc/{pid}/cmdline")).unwrap_or_default();
-        let words = String::from_utf8_lossy(&words).into_owned();
-        words.contains(&*out.to_string_lossy()) && words.contains("--shard")
-    };
-    let pids = fs::read_dir("/proc").expect("processes").filter_map(|e| e.ok()?.file_name().into_string().ok());
-    pids.filter(|p| p.bytes().all(|b| b.is_ascii_digit())).filter(is_worker).collect()
-}
-
-/// Equals itself: fifty workers and five coordinators are killed at random; shards that were done are not made again.
-#[cfg(target_os = "linux")]
+/// A case is what `--set` makes of it, in shards of any size: a design by its number before its name, whole numbers where a key takes these, and the objective where a key has its column.
 #[test]
-#[ignore = "half a minute of kills"]
-fn fifty_kills_of_workers_and_five_of_coordinators_change_nothing() {
-    use rand::{Rng, SeedableRng};
-    let campaign = OPTIMA.replace("points = 8", "points = 400").replace("cases_per_shard = 4", "cases_per_shard = 20");
-    let whole = {
-        let place = planned(&campaign);
+fn a_case_is_what_set_makes_of_it() {
+    let ring = "absorber = [{ on.station = \"engine\", type.tuned = { ring_inertia_kg_m2 = 0.1, stiffness_n_m_per_rad = 800, damping_n_m_s_per_rad = 3 } }]";
+    let campaign = |size: usize| {
+        format!(
+            "study = \"studies/den_hartog.toml\"\neach = \"evaluate\"\ncases_per_shard = {size}\n[[vary]]\nname = \"designs\"\n[[vary.variant]]\nname = \"two\"\n\
+             set = ['design=[{{ name = \"1\", {ring} }}, {{ name = \"b\", {ring} }}]']\n[sample]\nmethod = \"full\"\npoints = 3\n\
+             [[sample.of]]\nkey = \"design.1.absorber.0.type.tuned.damping_n_m_s_per_rad\"\nname = \"peak_twist_deg\"\nuniform = [1, 5]\n"
+        )
+    };
+    let all = |size: usize| {
+        let place = planned(&campaign(size));
         assert_eq!(run(place.path(), &[]).status.code(), Some(0));
-        files(&place.path().join("out"))
+        let collected = hartog(place.path(), &["campaign", "collect", "out"]);
+        assert_eq!(collected.status.code(), Some(0), "{}", said(&collected));
+        (rows(&place.path().join("out")), said(&collected))
     };
-    let place = planned(&campaign);
-    let out = place.path().join("out");
-    let mut generator = rand_xoshiro::Xoshiro256PlusPlus::seed_from_u64(1);
-    let kill = |pid: &str| std::process::Command::new("kill").args(["-9", pid]).status().expect("kill runs").success();
-    let mut killed = 0;
-    for _ in 0..5 {
-        let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin("hartog"));
-        let arguments = ["campaign", "run", &out.to_string_lossy(), "--workers", "2"];
-        let mut coordinator = command.args(arguments).stderr(std::process::Stdio::null()).spawn().expect("started");
-        let mut own = 0;
-        while own < 10 && coordinator.try_wait().expect("a child").is_none() {
-            std::thread::sleep(std::time::Duration::from_millis(generator.random_range(20..120)));
-            let all = workers(&out);
-            if !all.is_empty() && kill(&all[generator.random_range(0..all.len())]) {
-                own += 1;
-            }
-        }
-        killed += own;
-        coordinator.kill().expect("killed");
-        coordinator.wait().expect("ended");
+    let (together, told) = all(3);
+    assert_eq!(together, all(1).0, "in one shard as in three");
+    for row in &together {
+        let own = if row["design"] == "b" { row["peak_twist_deg"].parse::<f64>().expect("a number") } else { 3.0 };
+        let damping: f64 = row["damping_n_m_s_per_rad"].parse().expect("a number");
+        assert!((damping - own).abs() < 1e-3, "{row:?}");
     }
-    assert_eq!(killed, 50);
-    let done: Vec<PathBuf> = files(&out).into_keys().filter(|p| p.starts_with("receipts") && p.extension().is_some()).collect();
-    let written = |p: &PathBuf| fs::metadata(out.join(p)).expect("there").modified().expect("a time");
-    let times: Vec<_> = done.iter().map(written).collect();
-    assert_eq!(run(place.path(), &[]).status.code(), Some(0));
-    assert_eq!(times, done.iter().map(written).collect::<Vec<_>>(), "what was done stays");
-    assert_eq!(hartog(place.path(), &["campaign", "collect", "out"]).status.code(), Some(0));
-    assert!(files(&out) == whole);
-}
+    let least = together.iter().map(|r| r["peak_twist_deg_found"].parse::<f64>().expect("a number")).fold(f64::INFINITY, f64::min);
+    assert!(told.contains(&format!("{least:.5}")), "{told}, {least}");
 
-/// A case that ends the program costs its own row, and no other.
-#[test]
-#[ignore = "needs HARTOG_POISONED, a program built with --features poison"]
-fn a_case_that_ends_the_program_is_a_row() {
-    let program =
-        std::env::var("HARTOG_POISONED").expect("HARTOG_POISONED names a program built with `cargo build --release --features poison`");
-    let place = place(OPTIMA);
-    let of = |arguments: &[&str], poisoned: &str| {
-        let mut command = std::process::Command::new(&program);
-        command.current_dir(place.path()).args(arguments).env("HARTOG_POISON", poisoned).output().expect("it ran")
-    };
-    assert!(of(&["campaign", "plan", "own.toml", "--out", "out"], "").status.success());
-    let died = of(&["campaign", "run", "out"], "6");
-    assert_eq!(died.status.code(), Some(3), "{}", said(&died));
-    assert!(said(&died).contains("shard 1 ended its program 3 times (signal 6); --isolate finds the case that does it"), "{}", said(&died));
-    let isolated = of(&["campaign", "run", "out", "--isolate"], "6");
-    assert_eq!(isolated.status.code(), Some(1), "{}", said(&isolated));
-    let all = rows(&place.path().join("out"));
-    let crashed: Vec<&str> = all.iter().filter(|r| r["status"] == "crashed").map(|r| r["case"].as_str()).collect();
-    assert_eq!((all.len(), crashed), (16, vec!["6"]));
-}
-
-/// One digest from one worker, two, reversed shards, GNU parallel, an array of Slurm, and Snakemake, locally and by Slurm: see `tests/schedulers/run`, which sets them up from nothing.
-#[test]
-#[ignore = "needs root on Debian: installs and runs Slurm, Snakemake and GNU parallel, two minutes"]
-fn schedulers_make_the_same_tables() {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/schedulers/run");
-    let mut command = std::process::Command::new("bash");
-    let output = command.arg(script).env("HARTOG", assert_cmd::cargo::cargo_bin("hartog")).output().expect("bash runs");
-    let told = said(&output);
-    println!("{told}");
-    assert!(output.status.success() && told.matches("digest of the tables").count() == 7, "{told}");
+    let seeds = "[sample]\nmethod = \"full\"\npoints = 2\n[[sample.of]]\nkey = \"optimise.seed\"\ntable = { values = [1, 2], shares = [0.5, 0.5] }\n";
+    let place = planned(&(OPTIMA[..OPTIMA.find("[sample]").expect("a sample")].to_owned() + seeds));
+    assert_eq!(run(place.path(), &[]).status.code(), Some(0), "whole numbers are whole");
 }

@@ -1,11 +1,14 @@
 //! `hartog campaign plan`.
 
 use super::told::processor_time;
+use crate::analysis::Progress;
 use crate::analysis::campaign::{Column, columns, run_cases};
 use crate::cli::exit::{DONE, fail, say, say_to_error};
+use crate::cli::progress::Bar;
 use crate::input::campaign::{Campaign, Drawing, read_campaign};
 use crate::input::{InputError, InputFile, MeasureSpec, Study, noted};
 use crate::report::campaign::Manifest;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -32,6 +35,8 @@ const PLACES: usize = 8;
 const CASES: usize = 4;
 const QUICK: (f64, usize) = (0.1, 1024);
 const SLOW: f64 = 0.5;
+/// After so long no further place is looked at, s.
+const LONG: f64 = 10.0;
 
 /// A combination by its labels, and why it is refused.
 type Refused = (Vec<String>, InputError);
@@ -61,7 +66,9 @@ pub(super) fn plan(arguments: &Arguments) -> u8 {
     }
     let Some(objective) = &checked.objective else {
         let (labels, error) = &checked.refused[0];
-        return fail(&format!("{error}\nso of {} and every other combination", labels.join(", ")));
+        let of =
+            if labels.is_empty() { "of every case".to_owned() } else { format!("of {} and every other combination", labels.join(", ")) };
+        return fail(&format!("{error}\nso {of}"));
     };
     let refused = told(&checked);
     let seconds = seconds_per_case(&campaign, &checked.columns);
@@ -157,7 +164,10 @@ fn check(campaign: &Campaign) -> (Checked, Vec<InputFile>) {
     let objective = studies.first().map(|s| s.1.objective.clone());
     if let Some(other) = studies.iter().map(|s| &s.1.objective).find(|o| objective.as_ref().is_some_and(|first| first.column != o.column)) {
         let first = objective.as_ref().map_or("", |o| o.column.as_str());
-        say_to_error(&format!("warning: studies differ in their first objective: the page compares by `{first}`, not by `{}`", other.column));
+        say_to_error(&format!(
+            "warning: studies differ in their first objective: the page compares by `{first}`, not by `{}`",
+            other.column
+        ));
     }
     (Checked { columns, objective, refused, combinations }, files)
 }
@@ -170,10 +180,7 @@ fn seconds_per_case(campaign: &Campaign, columns: &[Column]) -> f64 {
         run_cases(campaign, columns, start..(start + count).min(cases), &[], &mut |_, _| {});
         begun.elapsed().as_secs_f64()
     };
-    let place = |i: usize| {
-        // the golden ratio spreads places over any number of cases
-        let share = (0.5 + 0.618_034 * i as f64).fract();
-        let start = (share * cases as f64) as usize;
+    let place = |start: usize| {
         let one = timed(start, 1);
         if one > SLOW {
             return one;
@@ -186,7 +193,18 @@ fn seconds_per_case(campaign: &Campaign, columns: &[Column]) -> f64 {
         }
         if taken.1 > 1 { ((taken.0 - one) / (taken.1 - 1) as f64).max(1e-7) } else { one }
     };
-    (0..PLACES).map(place).sum::<f64>() / PLACES as f64
+    // the golden ratio spreads places over any number of cases
+    let starts: BTreeSet<usize> = (0..PLACES).map(|i| ((0.5 + 0.618_034 * i as f64).fract() * cases as f64) as usize).collect();
+    let (bar, begun, mut found) = (Bar::default(), Instant::now(), Vec::new());
+    bar.stage("times of cases", starts.len());
+    for start in starts {
+        found.push(place(start));
+        bar.step();
+        if begun.elapsed().as_secs_f64() > LONG {
+            break;
+        }
+    }
+    found.iter().sum::<f64>() / found.len() as f64
 }
 
 /// A round number of cases that take about a minute.

@@ -31,7 +31,7 @@ pub(super) fn status(arguments: &Arguments) -> u8 {
     let torn = dataset.shards.iter().filter(|s| **s == State::Torn).count();
     let done_cases: usize = dataset.done().map(|r| r.cases[1] - r.cases[0]).sum();
     let rows: usize = dataset.done().map(|r| r.rows).sum();
-    let left = manifest.hours(manifest.cases - done_cases);
+    let left = manifest.hours(manifest.cases.saturating_sub(done_cases));
     let counts: Vec<(&str, usize)> = Status::ALL.iter().map(|s| (s.word(), dataset.done().map(|r| r.count(*s)).sum::<usize>())).collect();
     if arguments.missing {
         say_raw(&missing.iter().map(|i| format!("{i}\n")).collect::<String>());

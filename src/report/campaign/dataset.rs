@@ -33,7 +33,9 @@ pub struct Dataset {
 fn receipt(folder: &Path, manifest: &Manifest, shard: usize) -> Option<Receipt> {
     let bytes = std::fs::read(receipt_path(folder, shard)).ok()?;
     let own: Receipt = serde_json::from_slice(&bytes).ok()?;
-    (own.campaign == manifest.address && own.shard == shard).then_some(own)
+    let rows: usize = own.statuses.values().sum();
+    let cases = own.cases[0] <= own.cases[1] && own.cases[1] <= manifest.cases && own.cases[1] - own.cases[0] <= manifest.cases_per_shard;
+    (own.campaign == manifest.address && own.shard == shard && rows == own.rows && cases).then_some(own)
 }
 
 impl Dataset {
@@ -97,7 +99,7 @@ impl Dataset {
         let entries =
             |path: &Path| std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).map(|e| e.path()).collect::<Vec<_>>();
         let parts = entries(&folder.join("cases")).into_iter().flat_map(|p| entries(&p));
-        let all = parts.chain(entries(&folder.join("receipts"))).chain(entries(folder));
+        let all = parts.chain(entries(&folder.join("receipts")));
         for file in all.filter(|f| f.file_name().is_some_and(|n| n.to_string_lossy().starts_with(UNFINISHED))) {
             // what is gone already is gone
             _ = std::fs::remove_file(file);

@@ -52,6 +52,12 @@ pub enum CampaignError {
         /// What is wrong with it.
         what: &'static str,
     },
+    /// A path that shells would read as something else.
+    #[error("error: {} has a quote or `$` in its name, which the shells of schedulers would read: move it to a path without", path.display())]
+    Quoted {
+        /// The path.
+        path: PathBuf,
+    },
     /// There is no shard of this number.
     #[error("error: found shard {shard}, expected one from 0 to {}", shards - 1)]
     NoShard {

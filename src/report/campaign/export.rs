@@ -63,12 +63,24 @@ rule shard:
     shell: "'{HARTOG}' campaign run '{FOLDER}' --shard {params.number} || [ $? -eq 1 ]"
 "#;
 
+/// Writes a file where none is, or the same.
+fn put(path: &Path, text: &str) -> Result<(), CampaignError> {
+    match std::fs::read(path) {
+        Ok(there) if there == text.as_bytes() => Ok(()),
+        Ok(_) => Err(CampaignError::Foreign { path: path.to_path_buf(), what: "is there and is another file" }),
+        Err(_) => whole_file::write(path, text.as_bytes()),
+    }
+}
+
 /// Writes what a scheduler needs into the folder of a campaign, and tells what to do with it.
 ///
 /// # Errors
 /// [`CampaignError::File`] where a file cannot be written.
 #[doc(hidden)]
 pub fn export(folder: &Path, manifest: &Manifest, program: &Path, scheduler: Scheduler) -> Result<String, CampaignError> {
+    if let Some(path) = [folder, program].into_iter().find(|p| p.to_string_lossy().contains(['\'', '"', '`', '$'])) {
+        return Err(CampaignError::Quoted { path: path.to_path_buf() });
+    }
     let folder = &folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
     let (hartog, own) = (quoted(program), quoted(folder));
     let run = format!("{hartog} campaign run {own} --shard");
@@ -77,7 +89,7 @@ pub fn export(folder: &Path, manifest: &Manifest, program: &Path, scheduler: Sch
         Scheduler::Slurm => {
             let text = SLURM.replace("@HARTOG@", &hartog).replace("@FOLDER@", &own);
             let path = folder.join("submit.sh");
-            whole_file::write(&path, text.as_bytes())?;
+            put(&path, &text)?;
             Ok(format!("written to {0}: sh {0} --time=01:00:00 submits it\n", path.display()))
         }
         Scheduler::Snakemake => {
@@ -87,13 +99,13 @@ pub fn export(folder: &Path, manifest: &Manifest, program: &Path, scheduler: Sch
                 .replace("@HARTOG@", &python(program))
                 .replace("@FOLDER@", &python(folder))
                 .replace("@SHARDS@", &manifest.shards.to_string());
-            whole_file::write(&path, text.as_bytes())?;
+            put(&path, &text)?;
             Ok(format!("written to {0}: snakemake --snakefile {0} --cores all runs it\n", path.display()))
         }
-        Scheduler::Parallel => Ok(format!("{missing} | parallel {run} {{}}\n")),
+        Scheduler::Parallel => Ok(format!("{missing} | parallel \"{run} {{}} || [ \\$? -eq 1 ]\"\n")),
         Scheduler::Hyperqueue => {
             let list = quoted(&folder.join("missing.txt"));
-            Ok(format!("{missing} > {list}; hq submit --each-line {list} sh -c \"{run} \\$HQ_ENTRY\"\n"))
+            Ok(format!("{missing} > {list}; hq submit --each-line {list} sh -c \"{run} \\$HQ_ENTRY || [ \\$? -eq 1 ]\"\n"))
         }
     }
 }

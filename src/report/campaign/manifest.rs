@@ -2,7 +2,7 @@
 
 use super::error::CampaignError;
 use super::whole_file;
-use crate::analysis::campaign::{Column, Shard};
+use crate::analysis::campaign::{Column, Shard, found};
 use crate::input::campaign::{Campaign, read_campaign};
 use crate::input::{InputFile, MeasureSpec, checksum};
 use crate::manifest::PROGRAM;
@@ -34,6 +34,8 @@ pub struct Manifest {
     pub cases_per_shard: usize,
     /// How many shards there are.
     pub shards: usize,
+    /// CRC-32 of what its file expands to.
+    pub expanded: String,
     /// Mean processor time of a case, s: of cases at random, where it was planned.
     pub seconds_per_case: f64,
     /// Columns of the tables.
@@ -47,6 +49,14 @@ pub struct Manifest {
 /// CRC-32 of this program.
 pub(super) fn build() -> Option<u32> {
     std::env::current_exe().and_then(|path| checksum(&path)).ok()
+}
+
+/// Where the values of an objective are.
+fn column_of(columns: &[Column], campaign: &Campaign, objective: &MeasureSpec) -> String {
+    let given = campaign.axes.iter().map(|a| &a.name).chain(campaign.sample.iter().flat_map(|s| &s.keys).map(|k| &k.name));
+    let taken = given.into_iter().any(|name| *name == objective.column);
+    let other = found(&objective.column);
+    if taken && columns.iter().any(|c| c.name == other) { other } else { objective.column.clone() }
 }
 
 impl Manifest {
@@ -69,11 +79,12 @@ impl Manifest {
             axes: axes.cloned().collect(),
             cases: campaign.cases().unwrap_or_default(),
             cases_per_shard,
-            shards: campaign.shards(cases_per_shard).len(),
+            shards: campaign.shards(cases_per_shard),
+            expanded: format!("{:08x}", crc32fast::hash(campaign.expanded().as_bytes())),
             seconds_per_case,
-            columns,
-            objective: objective.column.clone(),
+            objective: column_of(&columns, campaign, objective),
             larger_is_better: objective.unit.is_inverse(),
+            columns,
         };
         own.address = own.address();
         own
@@ -82,7 +93,13 @@ impl Manifest {
     /// The checksum of all that results depend on; where files are does not count.
     fn address(&self) -> String {
         let files = self.inputs.iter().map(|f| format!("{} {} {:08x}", f.path.file_name().unwrap_or_default().display(), f.bytes, f.crc32));
-        let own = [self.program.clone(), format!("{:?}", self.build), self.cases_per_shard.to_string()];
+        let own = [
+            self.program.clone(),
+            format!("{:?}", self.build),
+            self.cases_per_shard.to_string(),
+            self.shards.to_string(),
+            self.expanded.clone(),
+        ];
         let text: Vec<String> = own.into_iter().chain(files).collect();
         format!("{:08x}", crc32fast::hash(text.join("\n").as_bytes()))
     }
@@ -104,9 +121,11 @@ impl Manifest {
                 let files = |m: &Self| m.inputs.first().map(|f| f.path.display().to_string()).unwrap_or_default();
                 return Err(CampaignError::Another { folder: folder.to_path_buf(), before: files(&there), why: there.difference(self) });
             }
-            return Ok(());
-        }
-        if let Some(other) = ["cases", "receipts"].iter().map(|name| folder.join(name)).find(|p| p.exists()) {
+            if there.inputs == self.inputs {
+                return Ok(());
+            }
+            // the same files elsewhere
+        } else if let Some(other) = ["cases", "receipts"].iter().map(|name| folder.join(name)).find(|p| p.exists()) {
             return Err(CampaignError::Foreign { path: other, what: "is there without a campaign's manifest.json" });
         }
         whole_file::write(&path, format!("{}\n", serde_json::to_string_pretty(self).unwrap_or_default()).as_bytes())
@@ -119,7 +138,9 @@ impl Manifest {
     pub fn read(folder: &Path) -> Result<Self, CampaignError> {
         let path = folder.join(MANIFEST);
         let bytes = std::fs::read(&path).map_err(|_| CampaignError::NoManifest { folder: folder.to_path_buf() })?;
-        serde_json::from_slice(&bytes).map_err(|e| CampaignError::Damaged { path, why: e.to_string() })
+        let own: Self = serde_json::from_slice(&bytes).map_err(|e| CampaignError::Damaged { path: path.clone(), why: e.to_string() })?;
+        let why = "what it says is not what its address was made of".to_owned();
+        if own.address == own.address() { Ok(own) } else { Err(CampaignError::Damaged { path, why }) }
     }
 
     /// What differs in a campaign that is planned now.
@@ -149,11 +170,14 @@ impl Manifest {
             }
         }
         let path: PathBuf = self.inputs.first().map(|f| f.path.clone()).unwrap_or_default();
-        read_campaign(&path).map_err(CampaignError::Input)
+        let campaign = read_campaign(&path).map_err(CampaignError::Input)?;
+        let expanded = format!("{:08x}", crc32fast::hash(campaign.expanded().as_bytes()));
+        let same = expanded == self.expanded && campaign.shards(self.cases_per_shard) == self.shards;
+        if same { Ok(campaign) } else { Err(changed(format!("the patterns of `{}` find other files than they did", path.display()))) }
     }
 
     /// A shard of its campaign.
     pub fn shard(&self, campaign: &Campaign, number: usize) -> Option<Shard> {
-        campaign.shards(self.cases_per_shard).into_iter().nth(number)
+        campaign.shard(self.cases_per_shard, number)
     }
 }

@@ -20,6 +20,9 @@ pub const PAGE: &str = "campaign.html";
 
 const SCRIPT: &str = include_str!("campaign.js");
 
+/// What tells a page of ours.
+const MARK: &str = "<!-- hartog campaign -->";
+
 /// Rows that are drawn.
 const DRAWN: usize = 4000;
 /// Rows of tables that are told.
@@ -35,8 +38,13 @@ const TWO_SIDED_95: f64 = 1.959_964;
 /// [`CampaignError`] where a table cannot be read, or the page cannot be written.
 #[doc(hidden)]
 pub fn write_page(folder: &Path, manifest: &Manifest, campaign: &Campaign, dataset: &Dataset) -> Result<String, CampaignError> {
+    let path = folder.join(PAGE);
+    if std::fs::read(&path).is_ok_and(|there| !String::from_utf8_lossy(&there).contains(MARK)) {
+        return Err(CampaignError::Foreign { path, what: "is there and is no page of a campaign" });
+    }
     let rows = Rows::read(folder, manifest, dataset)?;
     let body = html! {
+        (PreEscaped(MARK))
         h1 { "Campaign " (campaign.name) }
         (asked(manifest, campaign, dataset))
         (best(manifest, campaign, &rows))

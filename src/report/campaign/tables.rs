@@ -59,7 +59,14 @@ impl Rows {
                     (Some(Values::Words(..)), ReadColumn::Numbers(_)) => return Err(damaged("a column is of another kind".into())),
                 }
             }
+            let lengths = columns.iter().flatten().map(|c| match c {
+                Values::Numbers(all) => all.len(),
+                Values::Words(all, _) => all.len(),
+            });
             count += receipt.rows;
+            if lengths.into_iter().any(|n| n != count) {
+                return Err(damaged(format!("its rows are not the {} of its receipt", receipt.rows)));
+            }
         }
         let columns = columns.into_iter().map(|c| c.unwrap_or(Values::Numbers(Vec::new()))).collect();
         Ok(Self { names, columns, count })

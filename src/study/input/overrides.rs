@@ -103,6 +103,11 @@ impl Override {
         &self.text
     }
 
+    /// Its key, its parts with points between.
+    pub(super) fn path(&self) -> String {
+        self.key.iter().map(|p| p.name.as_str()).collect::<Vec<_>>().join(".")
+    }
+
     /// Whether it is of a key of the study (or, as `of_engine`, of its engine file) with this path.
     pub(super) fn is_of(&self, path: &str, of_engine: bool) -> bool {
         let key = if of_engine { self.of_engine().unwrap_or_default() } else { &self.key };

@@ -84,19 +84,36 @@ impl Campaign {
         (0..self.combinations()).flat_map(move |i| self.cases_of(i * samples..i * samples + 1))
     }
 
-    /// Shards of at most so many cases.
-    #[doc(hidden)]
-    pub fn shards(&self, most: usize) -> Vec<Shard> {
+    /// Values of the first axis, cases of each, and shards of these of at most so many cases.
+    fn parts(&self, most: usize) -> (usize, usize, usize) {
         let parts = self.axes.first().map_or(1, |a| a.variants.len());
         let each = self.cases().unwrap_or(0) / parts;
-        let of_part = |p: usize| {
-            let shard = move |start: usize| Shard {
-                partition: (!self.axes.is_empty()).then_some(p),
-                cases: p * each + start..p * each + (start + most).min(each),
-            };
-            (0..each).step_by(most).map(shard)
-        };
-        (0..parts).flat_map(of_part).collect()
+        (parts, each, each.div_ceil(most.max(1)))
+    }
+
+    /// How many shards of at most so many cases there are.
+    #[doc(hidden)]
+    pub fn shards(&self, most: usize) -> usize {
+        let (parts, _, own) = self.parts(most);
+        parts * own
+    }
+
+    /// One of them; `None` where there are fewer.
+    #[doc(hidden)]
+    pub fn shard(&self, most: usize, number: usize) -> Option<Shard> {
+        let (parts, each, own) = self.parts(most);
+        let (p, start) = (number.checked_div(own)?, number.checked_rem(own)? * most);
+        let cases = p * each + start..p * each + (start + most).min(each);
+        (p < parts).then(|| Shard { partition: (!self.axes.is_empty()).then_some(p), cases })
+    }
+
+    /// What its cases are, in words that do not depend on where files are: names of axes with their labels, keys of the sample, and how many points there are.
+    #[doc(hidden)]
+    pub fn expanded(&self) -> String {
+        let axes =
+            self.axes.iter().map(|a| format!("{}: {}", a.name, a.variants.iter().map(|v| v.label.as_str()).collect::<Vec<_>>().join(", ")));
+        let keys = self.sample.iter().flat_map(|s| &s.keys).map(|k| k.key.clone());
+        axes.chain(keys).chain([self.samples().to_string()]).collect::<Vec<_>>().join("; ")
     }
 
     fn chosen<'c>(&'c self, case: &Case) -> impl Iterator<Item = &'c Variant> {
@@ -120,7 +137,7 @@ impl Campaign {
     fn set_of(&self, case: &Case) -> Vec<String> {
         let varied = self.chosen(case).flat_map(|v| &v.set).map(|o| o.text().to_owned());
         let keys = self.sample.iter().flat_map(|s| &s.keys);
-        varied.chain(keys.zip(&case.values).map(|(key, value)| format!("{}={value:?}", key.key))).collect()
+        varied.chain(keys.zip(&case.values).map(|(key, value)| format!("{}={}", key.key, told(*value)))).collect()
     }
 
     /// Reads and checks the study of a case.
@@ -131,4 +148,10 @@ impl Campaign {
     pub fn study_of_case(&self, case: &Case) -> Result<Study, InputError> {
         read_with(self.study_of(case), &overrides(&self.set_of(case))?)
     }
+}
+
+/// A number as it stands in a file: a whole one is one, which keys of any number take.
+fn told(x: f64) -> String {
+    const WHOLE: f64 = 1e15;
+    if x.fract() == 0.0 && x.abs() < WHOLE { format!("{x}") } else { format!("{x:?}") }
 }

@@ -1,7 +1,7 @@
 //! The columns that cases fill: the same in every shard of a campaign.
 
 use crate::input::campaign::{Campaign, Each};
-use crate::input::{AbsorberSpec, MeasureSpec, Study};
+use crate::input::{AbsorberSpec, FrontSpec, MeasureSpec, Study};
 
 /// What the cells of a column are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -89,6 +89,12 @@ fn of_study(study: &Study, each: Each) -> Vec<Column> {
     list.push(column("limits_hold", Truth));
     list.extend(objectives(study).iter().map(|o| column(o.column.clone(), Number)));
     list.extend((0..study.limits.len()).map(|i| column(of_limit(study, i), Number)));
+    if each == Each::Optimise && study.robust.as_ref().is_some_and(|r| r.search) {
+        list.push(column(at_worst(&study.objective.column), Number));
+    }
+    if let (Each::Front, Some(FrontSpec::Of { measures, .. })) = (each, &study.front) {
+        list.extend(measures.iter().map(|m| column(m.column.clone(), Number)));
+    }
     if each == Each::Robust {
         list.push(column(at_worst(&study.objective.column), Number));
         if study.robust.as_ref().is_some_and(|r| r.sampling.is_some()) {
@@ -96,11 +102,9 @@ fn of_study(study: &Study, each: Each) -> Vec<Column> {
         }
         list.extend((0..study.limits.len()).map(|i| column(at_worst(&of_limit(study, i)), Number)));
     }
-    let given = study
-        .designs
-        .iter()
-        .filter(|_| matches!(each, Each::Evaluate | Each::Robust))
-        .map(|d| d.absorbers.iter().map(|m| m.absorber.declaration().into_iter().collect()).collect::<Vec<Vec<_>>>());
+    let sold = study.catalogues.iter().filter(|_| each == Each::Evaluate).flat_map(|c| &c.designs);
+    let given = study.designs.iter().filter(|_| matches!(each, Each::Evaluate | Each::Robust)).chain(sold);
+    let given = given.map(|d| d.absorbers.iter().map(|m| m.absorber.declaration().into_iter().collect()).collect::<Vec<Vec<_>>>());
     let sought = |absorbers: &[AbsorberSpec]| absorbers.iter().map(|a| a.types.clone()).collect::<Vec<_>>();
     let found = study.optimise.iter().filter(|_| each != Each::Evaluate).map(|o| sought(&o.absorbers));
     for design in given.chain(found) {
@@ -136,7 +140,7 @@ pub fn columns<'s>(campaign: &Campaign, studies: impl Iterator<Item = &'s Study>
     for study in studies {
         for own in of_study(study, campaign.each) {
             // what a case is given has its column already: of a result of the same name there is another one
-            let name = if list[..inputs].iter().any(|c| c.name == own.name) { format!("{}_found", own.name) } else { own.name };
+            let name = if list[..inputs].iter().any(|c| c.name == own.name) { found(&own.name) } else { own.name };
             if list.iter().all(|c| c.name != name) {
                 list.push(Column { name, ..own });
             }
@@ -145,8 +149,18 @@ pub fn columns<'s>(campaign: &Campaign, studies: impl Iterator<Item = &'s Study>
     list
 }
 
-/// Where cells of a name go.
+/// Where cells of a name go; the parameters of a single absorber, too, where other designs have several.
 pub(super) fn index_of(columns: &[Column], inputs: usize, name: &str) -> Option<usize> {
-    let own = columns.iter().position(|c| c.name == name);
-    if own.is_some_and(|i| i < inputs) { columns.iter().position(|c| c.name == format!("{name}_found")) } else { own }
+    let at = |name: &str| columns.iter().position(|c| c.name == name);
+    match at(name) {
+        Some(i) if i < inputs => at(&found(name)),
+        None => at(&of_parameter(name, 0, 2)).filter(|i| *i >= inputs),
+        own => own,
+    }
+}
+
+/// The column of a result where its name is that of what a case is given.
+#[doc(hidden)]
+pub fn found(name: &str) -> String {
+    format!("{name}_found")
 }

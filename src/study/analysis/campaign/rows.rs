@@ -1,13 +1,13 @@
 //! What a case gives: a row for each of its designs.
 
-use super::columns::{Cell, at_worst, bound_of, objectives, of_limit, of_parameter};
+use super::columns::{Cell, at_worst, bound_of, of_limit, of_parameter};
 use super::setup::with_searches;
 use crate::absorber::Mounted;
 use crate::analysis::searches::Searches;
 use crate::analysis::timing::Clock;
 use crate::analysis::{DesignResult, OptimumResult, RunError, Silent, evaluate, robust};
 use crate::input::campaign::Each;
-use crate::input::{LimitSpec, Study};
+use crate::input::{FrontSpec, LimitSpec, MeasureSpec, Study};
 use crate::objective::{Condition, HELD, Measure, Over, Shared, holds};
 use crate::optimise::{LoadCase, largest};
 use crate::response::{ResponseError, Work};
@@ -182,11 +182,14 @@ fn optimum(searches: &Searches, o: &OptimumResult) -> Row {
     let mut row = Row::of(&o.design.name, &o.design.absorbers);
     let own = study.objective_of(o.objective);
     row.put("objective", Cell::Text(own.key.to_owned()));
-    row.put(own.column.clone(), Cell::of(Some(own.unit.shown(o.optimum.value()))));
-    if !study.more_objectives.is_empty()
+    let reached = if o.robust { at_worst(&own.column) } else { own.column.clone() };
+    row.put(reached.clone(), Cell::of(Some(own.unit.shown(o.optimum.value()))));
+    // what it was not sought by: other objectives, and its own as drawn
+    let is_other = |other: &MeasureSpec| other.column != reached;
+    if study.objectives().any(is_other)
         && let Ok(found) = values(searches, &o.design.absorbers, By::Exact)
     {
-        for (other, value) in study.objectives().zip(&found.objectives).filter(|(other, _)| other.column != own.column) {
+        for (other, value) in study.objectives().zip(&found.objectives).filter(|(other, _)| is_other(other)) {
             row.put(other.column.clone(), Cell::of(Some(other.unit.shown(*value))));
         }
     }
@@ -263,16 +266,24 @@ fn fronts(searches: &Searches) -> Result<Vec<Row>, RunError> {
             rows.push(row);
         }
     }
-    for (family, front) in searches.tradeoffs(spec, &optima, &mut clock)?.iter().flat_map(|t| &t.families) {
-        for (i, p) in front.points.iter().enumerate() {
-            let mut row = point(&format!("front_{family}"), i, &p.design, p.dominated, p.kkt_residual);
-            let own = evaluated(searches, "", &p.design, By::Exact);
-            let known: Vec<String> = objectives(study).iter().map(|o| o.column.clone()).collect();
-            row.cells.extend(
-                own.cells.into_iter().filter(|(name, _)| known.contains(name) || name.ends_with("_over_limit") || name == "limits_hold"),
-            );
-            row.status(own.status, own.reason);
-            rows.push(row);
+    let measures = match &study.front {
+        Some(FrontSpec::Of { measures, .. }) => measures.as_slice(),
+        _ => &[],
+    };
+    for tradeoff in &searches.tradeoffs(spec, &optima, &mut clock)? {
+        for ((family, front), third) in tradeoff.families.iter().zip(&tradeoff.third) {
+            for (i, p) in front.points.iter().enumerate() {
+                let mut row = point(&format!("front_{family}"), i, &p.design, p.dominated, p.kkt_residual);
+                let own = evaluated(searches, "", &p.design, By::Exact);
+                row.cells.extend(own.cells.into_iter().filter(|(name, _)| name.ends_with("_over_limit") || name == "limits_hold"));
+                row.status(own.status, own.reason);
+                for (m, spec) in measures.iter().enumerate() {
+                    let place = tradeoff.of.iter().position(|of| *of == m);
+                    let value = place.map_or_else(|| third.get(i).copied(), |k| Some(p.values[k]));
+                    row.put(spec.column.clone(), Cell::of(value.map(|v| spec.unit.shown(v))));
+                }
+                rows.push(row);
+            }
         }
     }
     Ok(rows)
@@ -301,12 +312,16 @@ pub(super) fn as_asked(study: &Study, each: Each) -> Study {
 pub(super) fn rows(study: &Study, each: Each) -> Result<Vec<Row>, RunError> {
     let study = as_asked(study, each);
     with_searches(&study, None, |searches| match each {
-        Each::Evaluate => Ok(searches.study.designs.iter().map(|d| evaluated(searches, &d.name, &d.absorbers, By::Exact)).collect()),
+        Each::Evaluate => {
+            let sold = searches.study.catalogues.iter().flat_map(|c| &c.designs);
+            Ok(searches.study.designs.iter().chain(sold).map(|d| evaluated(searches, &d.name, &d.absorbers, By::Exact)).collect())
+        }
         Each::Optimise => {
             let Some(spec) = &searches.study.optimise else { return Ok(Vec::new()) };
             Ok(searches.optima(spec, &mut Clock::start())?.iter().map(|o| optimum(searches, o)).collect())
         }
         Each::Front => fronts(searches),
+        Each::Robust if searches.study.robust.is_none() => Ok(Vec::new()),
         Each::Robust => {
             let given = |d: &crate::input::DesignSpec| {
                 evaluate::evaluate(searches.finders, &d.name, &d.absorbers, searches.wanted, &mut Work::default())

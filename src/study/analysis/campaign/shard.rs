@@ -24,10 +24,14 @@ pub type Rows = Vec<Vec<Cell>>;
 
 /// Where sampled keys lead in a study, if all of them are parameters of its designs: `design.0.absorber.0.type.tuned.stiffness_n_m_per_rad`.
 fn of_designs(campaign: &Campaign, study: &Study) -> Option<Vec<OfDesign>> {
+    if !study.catalogues.is_empty() {
+        return None;
+    }
     let keys = &campaign.sample.as_ref()?.keys;
     let one = |key: &str| {
         let ["design", design, "absorber", absorber, "type", kind, parameter] = key.split('.').collect::<Vec<_>>()[..] else { return None };
-        let design = study.designs.iter().position(|d| d.name == design).or_else(|| design.parse().ok())?;
+        let design =
+            design.parse().ok().filter(|i| *i < study.designs.len()).or_else(|| study.designs.iter().position(|d| d.name == design))?;
         let absorber: usize = absorber.parse().ok()?;
         let declaration = study.designs.get(design)?.absorbers.get(absorber)?.absorber.declaration()?;
         (declaration.name == types::find(kind)?.name).then_some(())?;

@@ -27,8 +27,40 @@ pub(super) fn column(key: &str) -> &str {
     key.rsplit('.').find(|part| part.parse::<usize>().is_err()).unwrap_or(key)
 }
 
-/// Columns that every table has.
-pub(super) const TAKEN: [&str; 5] = ["case", "status", "reason", "design", "types"];
+/// Columns that tables have of results.
+const TAKEN: [&str; 14] = [
+    "case",
+    "status",
+    "reason",
+    "design",
+    "types",
+    "exact",
+    "objective",
+    "limits_hold",
+    "converged",
+    "kkt_residual",
+    "starts_agreeing",
+    "evaluations",
+    "proof",
+    "dominated",
+];
+/// A name is no longer than this: it is part of that of a folder, too.
+const LONGEST: usize = 60;
+
+/// Whether a name may be that of a column; names that differ in capitals only are the same to some programs.
+pub(super) fn free<T>(check: &mut Check, at: &At<T>, name: &str, names: &mut HashSet<String>) {
+    let plain =
+        name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let lower = name.to_ascii_lowercase();
+    if !plain || name.len() > LONGEST {
+        let expected = format!("expected at most {LONGEST} letters, digits and `_`; `name` gives another one");
+        check.wrong(at, format!("found `{name}` as the name of a column, {expected}"));
+    } else if TAKEN.contains(&lower.as_str()) {
+        check.wrong(at, format!("found `{name}`, which is a column of results, expected another name; `name` gives one"));
+    } else if !names.insert(lower) {
+        check.wrong(at, format!("found the column `{name}` a second time, expected different ones; `name` gives another one"));
+    }
+}
 
 pub(super) fn named<T>(
     check: &mut Check,
@@ -45,16 +77,9 @@ pub(super) fn named<T>(
             return None;
         }
     };
-    let plain =
-        own.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && own.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-    let mut wrong = |message: String| match name.or(key) {
-        Some(place) => check.wrong(place, message),
-        None => check.wrong(at, message),
-    };
-    if !plain {
-        wrong(format!("found `{own}` as the name of a column, expected letters, digits and `_`; `name` gives another one"));
-    } else if TAKEN.contains(&own.as_str()) || !names.insert(own.clone()) {
-        wrong(format!("found the column `{own}` a second time, expected different ones; `name` gives another one"));
+    match name.or(key) {
+        Some(place) => free(check, place, &own, names),
+        None => free(check, at, &own, names),
     }
     Some(own)
 }

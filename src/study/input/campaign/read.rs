@@ -3,10 +3,11 @@
 use super::axes::axis;
 use super::named::{file, whole};
 use super::sample::sample;
-use super::spec::{Axis, Campaign, Each, MOST_CASES};
+use super::spec::{Axis, Campaign, Each, MOST_CASES, Sample};
 use crate::input::InputError;
-use crate::input::error::{Check, Source};
+use crate::input::error::{At, Check, Source};
 use crate::input::kinds::no_table;
+use crate::input::overrides::Override;
 use crate::input::schema::campaign::{RawCampaign, RawEach};
 use std::collections::HashSet;
 use std::path::Path;
@@ -49,6 +50,7 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
         let message = "found nothing that varies, expected a [[vary]] or [sample]";
         check.mistakes.push(check.source.mistake(0..0, message.into(), None));
     }
+    only_once(check, raw, &axes, sample.as_ref());
     let cases_per_shard = raw.cases_per_shard.as_ref().map(|n| whole(check, n, 1, 1_000_000));
     let each = match raw.each {
         RawEach::Evaluate => Each::Evaluate,
@@ -70,4 +72,22 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
         check.mistakes.push(check.source.mistake(0..0, message, None));
     }
     Some(campaign)
+}
+
+/// A key has one value in a case: it is no key of two axes, or of an axis and the sample.
+fn only_once(check: &mut Check, raw: &RawCampaign, axes: &[Axis], sample: Option<&Sample>) {
+    let mut known: HashSet<String> = HashSet::new();
+    for (axis, own) in axes.iter().map(|a| (a, a.variants.iter().flat_map(|v| &v.set).map(Override::path).collect::<HashSet<_>>())) {
+        if let Some(twice) = own.iter().find(|key| known.contains(*key)) {
+            let message = format!("found `{twice}` of `{}` among the keys of another [[vary]], expected it in one of them", axis.name);
+            let place = raw.vary.first().map_or(0..0, At::span);
+            check.mistakes.push(check.source.mistake(place, message, None));
+        }
+        known.extend(own);
+    }
+    for (key, place) in sample.iter().flat_map(|s| &s.keys).map(|k| &k.key).zip(raw.sample.iter().flat_map(|s| &s.get_ref().of)) {
+        if !known.insert(key.clone()) {
+            check.wrong(place, format!("found `{key}` a second time, expected a key in one place"));
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Points that are drawn.
 
-use super::named::{TAKEN, column, file, named, set, whole};
+use super::named::{column, file, free, named, set, whole};
 use super::spec::{Distribution, Drawing, Sample, Sampled};
 use crate::input::error::{At, Check, read_bytes};
 use crate::input::schema::campaign::{RawMethodOfSampling, RawSample, RawSampled};
@@ -18,13 +18,14 @@ pub(super) fn sample(check: &mut Check, folder: &Path, raw: &At<RawSample>, name
         if let Some(other) = own.of.first() {
             check.wrong(other, "found [[sample.of]] beside a table of points, expected the keys as its columns");
         }
+        if own.indices || own.points.is_some() || own.seed.is_some() {
+            check.wrong(raw, "found `points`, `seed` or `indices` beside a table of points, expected none of them");
+        }
         let path = file(check, folder, named_file);
         let (heads, rows) = points(check, named_file, &path)?;
         let keys = heads.into_iter().map(|key| {
             let name = column(&key).to_owned();
-            if TAKEN.contains(&name.as_str()) || !names.insert(name.clone()) {
-                check.wrong(named_file, format!("found the column `{name}` a second time, expected different ones"));
-            }
+            free(check, named_file, &name, names);
             _ = set(check, named_file, &format!("{key}=0"));
             Sampled { key, name, distribution: None }
         });
@@ -43,6 +44,10 @@ pub(super) fn sample(check: &mut Check, folder: &Path, raw: &At<RawSample>, name
     if own.of.is_empty() {
         check.wrong(raw, "found no key to draw, expected [[sample.of]]");
     }
+    if own.method == RawMethodOfSampling::Sobol && keys.len() * (1 + usize::from(own.indices)) > MOST_DIMENSIONS {
+        let of = if own.indices { "half of them with `indices`" } else { "half as many with `indices`" };
+        check.wrong(raw, format!("found {} keys of Sobol's sequence, expected at most {MOST_DIMENSIONS}, {of}", keys.len()));
+    }
     let drawing = match own.method {
         RawMethodOfSampling::LatinHypercube => Drawing::LatinHypercube,
         RawMethodOfSampling::Full => Drawing::Full,
@@ -54,11 +59,15 @@ pub(super) fn sample(check: &mut Check, folder: &Path, raw: &At<RawSample>, name
     Some(Sample { drawing, points, seed, indices: own.indices, keys })
 }
 
+/// Dimensions of Sobol's sequence.
+const MOST_DIMENSIONS: usize = 100;
+
 /// The numbers of a table of points.
 fn points(check: &mut Check, at: &At<String>, path: &Path) -> Option<(Vec<String>, Vec<Vec<f64>>)> {
     let bytes = read_bytes(path).map_err(|reason| check.wrong(at, reason)).ok()?;
     let mut reader = csv::Reader::from_reader(bytes.as_slice());
-    let heads: Vec<String> = reader.headers().ok()?.iter().map(str::to_owned).collect();
+    let heads = reader.headers().map_err(|e| check.wrong(at, format!("the header of the table cannot be read: {e}"))).ok()?;
+    let heads: Vec<String> = heads.iter().map(|h| h.trim_start_matches('\u{feff}').trim().to_owned()).collect();
     let mut rows = Vec::new();
     for (i, record) in reader.records().enumerate() {
         let cells = record.map_err(|e| check.wrong(at, format!("row {} of the table cannot be read: {e}", i + 2))).ok()?;

@@ -98,11 +98,22 @@ pub(crate) fn run(place: &Path, more: &[&str]) -> Output {
 /// The two-mass problem's optima are those of Nishihara & Asami's closed form, and of the fixed point of a ring without spring, (2 + mu)/mu static twists.
 #[test]
 fn optima_are_the_closed_forms() {
-    let place = planned(OPTIMA);
+    hold_closed_forms(OPTIMA, 16);
+}
+
+/// The same of ten thousand.
+#[test]
+#[ignore = "five minutes on two processors"]
+fn ten_thousand_optima_are_the_closed_forms() {
+    hold_closed_forms(&OPTIMA.replace("points = 8", "points = 5000").replace("cases_per_shard = 4", "cases_per_shard = 100"), 10_000);
+}
+
+fn hold_closed_forms(campaign: &str, count: usize) {
+    let place = planned(campaign);
     let done = run(place.path(), &["--workers", "2"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     let rows = rows(&place.path().join("out"));
-    assert_eq!(rows.len(), 16);
+    assert_eq!(rows.len(), count);
     let degrees = |twist: f64| twist.to_degrees() * 1e-4;
     for row in &rows {
         let number = |name: &str| row[name].parse::<f64>().unwrap_or_else(|_| panic!("{name}: {row:?}"));

@@ -103,7 +103,7 @@ fn optima_are_the_closed_forms() {
 
 /// The same of ten thousand.
 #[test]
-#[ignore = "five minutes on two processors"]
+#[ignore = "two minutes on two processors"]
 fn ten_thousand_optima_are_the_closed_forms() {
     hold_closed_forms(&OPTIMA.replace("points = 8", "points = 5000").replace("cases_per_shard = 4", "cases_per_shard = 100"), 10_000);
 }

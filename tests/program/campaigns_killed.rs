@@ -78,7 +78,7 @@ fn workers(out: &Path) -> Vec<String> {
 /// Equals itself: fifty workers and five coordinators are killed at random; shards that were done are not made again.
 #[cfg(target_os = "linux")]
 #[test]
-#[ignore = "half a minute of kills"]
+#[ignore = "a minute of kills"]
 fn fifty_kills_of_workers_and_five_of_coordinators_change_nothing() {
     use rand::{Rng, SeedableRng};
     let campaign = OPTIMA.replace("points = 8", "points = 400").replace("cases_per_shard = 4", "cases_per_shard = 20");
@@ -142,7 +142,7 @@ fn a_case_that_ends_the_program_is_a_row() {
 
 /// One digest from one worker, two, reversed shards, GNU parallel, an array of Slurm, and Snakemake, locally and by Slurm: see `tests/schedulers/run`, which sets them up from nothing.
 #[test]
-#[ignore = "needs root on Debian: installs and runs Slurm, Snakemake and GNU parallel, two minutes"]
+#[ignore = "needs root on Debian: installs and runs Slurm, Snakemake and GNU parallel, six minutes"]
 fn schedulers_make_the_same_tables() {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/schedulers/run");
     let mut command = std::process::Command::new("bash");

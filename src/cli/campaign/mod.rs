@@ -15,7 +15,7 @@ mod told;
 hartog campaign collect fleet\n\n\
 A shard is a function of the campaign, its inputs, the program and its number: shards may be run in any order, anywhere, killed and repeated, and give\n\
 the same bytes.\n\n\
-Exit code: 0 done, 1 some cases break limits or have no result, 2 bad input, 3 shards are missing."
+Exit code: 0 done, 1 some cases are not as asked: they break limits or have no result, 2 bad input, 3 shards are missing."
 )]
 pub struct Arguments {
     #[command(subcommand)]

@@ -1,7 +1,7 @@
 //! `hartog campaign run`: a shard in this program, or several by workers, each a program of its own.
 
 use super::isolate::{crashing, worker};
-use super::told::MISSING;
+use super::told::{MISSING, rows};
 use crate::analysis::Progress;
 use crate::analysis::campaign::{Status, run_cases};
 use crate::cli::exit::{BAD_INPUT, DONE, FAILED, fail, say, say_to_error};
@@ -170,20 +170,12 @@ fn tried(arguments: &Arguments, folder: &Path, manifest: &Manifest, shard: usize
 fn told(folder: &Path, manifest: &Manifest) -> u8 {
     let now = Dataset::read(folder, manifest, false);
     let missing = now.missing().len();
-    let rows: usize = now.done().map(|r| r.rows).sum();
-    let counts: Vec<String> = Status::ALL
-        .iter()
-        .map(|s| (s, now.done().map(|r| r.count(*s)).sum::<usize>()))
-        .filter(|(_, n)| *n > 0)
-        .map(|(s, n)| format!("{n} {}", s.word().replace('_', " ")))
-        .collect();
     let path = folder.display();
     let next = if missing > 0 { format!("{missing} are missing") } else { format!("`hartog campaign collect {path}` makes its page") };
-    say(&format!("{} of {} shards are done, {rows} rows: {}; {next}\n", manifest.shards - missing, manifest.shards, counts.join(", ")));
-    let failed = now.done().any(|r| r.count(Status::Ok) < r.rows);
-    match (missing, failed) {
-        (0, false) => DONE,
-        (0, true) => FAILED,
+    say(&format!("{} of {} shards are done, {}; {next}\n", manifest.shards - missing, manifest.shards, rows(&now)));
+    match (missing, now.is_as_asked()) {
+        (0, true) => DONE,
+        (0, false) => FAILED,
         _ => MISSING,
     }
 }

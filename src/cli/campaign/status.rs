@@ -1,7 +1,6 @@
 //! `hartog campaign status`.
 
-use super::told::{MISSING, processor_time};
-use crate::analysis::campaign::Status;
+use super::told::{MISSING, processor_time, rows};
 use crate::cli::exit::{DONE, fail, say, say_raw};
 use crate::report::campaign::{Dataset, Manifest, State};
 use serde_json::{Map, Value, json};
@@ -30,13 +29,11 @@ pub(super) fn status(arguments: &Arguments) -> u8 {
     let missing = dataset.missing();
     let torn = dataset.shards.iter().filter(|s| **s == State::Torn).count();
     let done_cases: usize = dataset.done().map(|r| r.cases[1] - r.cases[0]).sum();
-    let rows: usize = dataset.done().map(|r| r.rows).sum();
     let left = manifest.hours(manifest.cases.saturating_sub(done_cases));
-    let counts: Vec<(&str, usize)> = Status::ALL.iter().map(|s| (s.word(), dataset.done().map(|r| r.count(*s)).sum::<usize>())).collect();
     if arguments.missing {
         say_raw(&missing.iter().map(|i| format!("{i}\n")).collect::<String>());
     } else if arguments.json {
-        let statuses: Map<String, Value> = counts.iter().map(|(word, n)| ((*word).to_owned(), json!(n))).collect();
+        let statuses: Map<String, Value> = dataset.counts().iter().map(|(s, n)| (s.word().to_owned(), json!(n))).collect();
         let told = json!({
             "campaign": manifest.address,
             "each": manifest.each,
@@ -46,21 +43,20 @@ pub(super) fn status(arguments: &Arguments) -> u8 {
             "shards_torn": torn,
             "cases": manifest.cases,
             "cases_done": done_cases,
-            "rows": rows,
+            "rows": dataset.done().map(|r| r.rows).sum::<usize>(),
             "statuses": statuses,
             "processor_hours_left": left,
         });
         say_raw(&format!("{told:#}\n"));
     } else {
-        let counted: Vec<String> = counts.iter().filter(|c| c.1 > 0).map(|(word, n)| format!("{n} {}", word.replace('_', " "))).collect();
         let torn = if torn > 0 { format!(", {torn} of them because their tables are not as they were written") } else { String::new() };
         say(&format!(
-            "{} of {} shards are done, {} missing{torn}\n{done_cases} of {} cases, {rows} rows: {}\n{} left\n",
+            "{} of {} shards are done, {} missing{torn}\n{done_cases} of {} cases, {}\n{} left\n",
             manifest.shards - missing.len(),
             manifest.shards,
             missing.len(),
             manifest.cases,
-            if counted.is_empty() { "none".to_owned() } else { counted.join(", ") },
+            rows(&dataset),
             processor_time(left)
         ));
     }

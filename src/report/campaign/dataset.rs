@@ -4,10 +4,11 @@ use super::error::CampaignError;
 use super::manifest::Manifest;
 use super::shard::{Receipt, receipt_path, table_path};
 use super::whole_file::UNFINISHED;
+use crate::analysis::campaign::Status;
 use crate::input::campaign::Campaign;
 use crate::input::checksum;
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What is known of a shard.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,6 +28,11 @@ pub enum State {
 pub struct Dataset {
     /// Of each, by its number.
     pub shards: Vec<State>,
+}
+
+/// Paths in a folder; none where there is no such folder.
+fn entries(path: &Path) -> Vec<PathBuf> {
+    std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).map(|e| e.path()).collect()
 }
 
 /// A receipt, where it is one of this campaign and shard.
@@ -63,6 +69,17 @@ impl Dataset {
         self.shards.iter().filter_map(|s| if let State::Done(receipt) = s { Some(receipt) } else { None })
     }
 
+    /// How many rows came to each status.
+    pub fn counts(&self) -> Vec<(Status, usize)> {
+        Status::ALL.iter().map(|s| (*s, self.done().map(|r| r.count(*s)).sum())).collect()
+    }
+
+    /// Whether every row is as asked.
+    #[doc(hidden)]
+    pub fn is_as_asked(&self) -> bool {
+        self.done().all(|r| r.count(Status::Ok) == r.rows)
+    }
+
     /// The checksum of the tables that are done, by their names.
     #[doc(hidden)]
     pub fn digest(&self) -> String {
@@ -77,8 +94,6 @@ impl Dataset {
     #[doc(hidden)]
     pub fn only_own(folder: &Path, manifest: &Manifest, campaign: &Campaign) -> Result<(), CampaignError> {
         let own: BTreeSet<String> = (0..manifest.shards).filter_map(|i| table_path(manifest, campaign, i)).collect();
-        let entries =
-            |path: &Path| std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).map(|e| e.path()).collect::<Vec<_>>();
         let cases = folder.join("cases");
         for part in entries(&cases) {
             let files = if part.is_dir() { entries(&part) } else { vec![part] };
@@ -96,8 +111,6 @@ impl Dataset {
     /// Removes what shards that were killed have not finished; none may be at work.
     #[doc(hidden)]
     pub fn remove_unfinished(folder: &Path) {
-        let entries =
-            |path: &Path| std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).map(|e| e.path()).collect::<Vec<_>>();
         let parts = entries(&folder.join("cases")).into_iter().flat_map(|p| entries(&p));
         let all = parts.chain(entries(&folder.join("receipts")));
         for file in all.filter(|f| f.file_name().is_some_and(|n| n.to_string_lossy().starts_with(UNFINISHED))) {

@@ -19,9 +19,9 @@ pub enum Scheduler {
     Hyperqueue,
 }
 
-/// A word of a shell.
+/// A word of a shell: paths with quotes are refused.
 fn quoted(path: &Path) -> String {
-    format!("'{}'", path.to_string_lossy().replace('\'', "'\\''"))
+    format!("'{}'", path.display())
 }
 
 /// A text of Python.
@@ -78,10 +78,10 @@ fn put(path: &Path, text: &str) -> Result<(), CampaignError> {
 /// [`CampaignError::File`] where a file cannot be written.
 #[doc(hidden)]
 pub fn export(folder: &Path, manifest: &Manifest, program: &Path, scheduler: Scheduler) -> Result<String, CampaignError> {
-    if let Some(path) = [folder, program].into_iter().find(|p| p.to_string_lossy().contains(['\'', '"', '`', '$'])) {
+    let folder = &folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+    if let Some(path) = [folder.as_path(), program].into_iter().find(|p| p.to_string_lossy().contains(['\'', '"', '`', '$'])) {
         return Err(CampaignError::Quoted { path: path.to_path_buf() });
     }
-    let folder = &folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
     let (hartog, own) = (quoted(program), quoted(folder));
     let run = format!("{hartog} campaign run {own} --shard");
     let missing = format!("{hartog} campaign status {own} --missing");

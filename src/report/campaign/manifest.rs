@@ -2,7 +2,7 @@
 
 use super::error::CampaignError;
 use super::whole_file;
-use crate::analysis::campaign::{Column, Shard, found};
+use crate::analysis::campaign::{Column, Shard, index_of};
 use crate::input::campaign::{Campaign, read_campaign};
 use crate::input::{InputFile, MeasureSpec, checksum};
 use crate::manifest::PROGRAM;
@@ -36,7 +36,7 @@ pub struct Manifest {
     pub shards: usize,
     /// CRC-32 of what its file expands to.
     pub expanded: String,
-    /// Mean processor time of a case, s: of cases at random, where it was planned.
+    /// Mean time of a case on one thread, s: of some cases, where it was planned.
     pub seconds_per_case: f64,
     /// Columns of the tables.
     pub columns: Vec<Column>,
@@ -49,14 +49,6 @@ pub struct Manifest {
 /// CRC-32 of this program.
 pub(super) fn build() -> Option<u32> {
     std::env::current_exe().and_then(|path| checksum(&path)).ok()
-}
-
-/// Where the values of an objective are.
-fn column_of(columns: &[Column], campaign: &Campaign, objective: &MeasureSpec) -> String {
-    let given = campaign.axes.iter().map(|a| &a.name).chain(campaign.sample.iter().flat_map(|s| &s.keys).map(|k| &k.name));
-    let taken = given.into_iter().any(|name| *name == objective.column);
-    let other = found(&objective.column);
-    if taken && columns.iter().any(|c| c.name == other) { other } else { objective.column.clone() }
 }
 
 impl Manifest {
@@ -82,7 +74,7 @@ impl Manifest {
             shards: campaign.shards(cases_per_shard),
             expanded: format!("{:08x}", crc32fast::hash(campaign.expanded().as_bytes())),
             seconds_per_case,
-            objective: column_of(&columns, campaign, objective),
+            objective: index_of(campaign, &columns, &objective.column).map(|i| columns[i].name.clone()).unwrap_or_default(),
             larger_is_better: objective.unit.is_inverse(),
             columns,
         };
@@ -104,7 +96,7 @@ impl Manifest {
         format!("{:08x}", crc32fast::hash(text.join("\n").as_bytes()))
     }
 
-    /// Processor time of some cases, hours.
+    /// Time of some cases on one thread, hours.
     pub fn hours(&self, cases: usize) -> f64 {
         self.seconds_per_case * cases as f64 / 3600.0
     }

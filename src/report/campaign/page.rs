@@ -78,6 +78,13 @@ fn summary(manifest: &Manifest, rows: &Rows) -> String {
     text
 }
 
+/// As many rows of a table as are told, and what is said of the others.
+fn cut<T>(mut list: Vec<T>) -> (Vec<T>, Markup) {
+    let more = list.len().saturating_sub(TOLD);
+    list.truncate(TOLD);
+    (list, html! { @if more > 0 { p class="soft" { "… and " (more) " more, in the tables of the campaign." } } })
+}
+
 /// What rows are compared by: the first two of what varies, and the types.
 fn compared_by(campaign: &Campaign) -> Vec<&str> {
     campaign.axes.iter().take(2).map(|a| a.name.as_str()).chain(["types"]).collect()
@@ -104,7 +111,7 @@ fn asked(manifest: &Manifest, campaign: &Campaign, dataset: &Dataset) -> Markup 
 
 /// The columns of numbers that are results.
 fn results<'m>(manifest: &'m Manifest, rows: &'m Rows) -> impl Iterator<Item = &'m str> {
-    let inputs = ["case", "point", "evaluations", "starts_agreeing", "converged", "dominated", "limits_hold"];
+    let inputs = ["case", "exact", "point", "evaluations", "starts_agreeing", "converged", "dominated", "limits_hold"];
     let own = move |name: &&str| !inputs.contains(name) && !manifest.axes.iter().any(|a| a == name);
     let names = rows.names.iter().zip(&rows.columns).filter(|(_, c)| matches!(c, Values::Numbers(_)));
     names.map(|(name, _)| name.as_str()).filter(own)
@@ -113,8 +120,8 @@ fn results<'m>(manifest: &'m Manifest, rows: &'m Rows) -> impl Iterator<Item = &
 fn best(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Markup {
     let by = compared_by(campaign);
     let groups = rows.groups(&by);
-    let shown: Vec<(Vec<String>, usize)> =
-        groups.into_iter().filter_map(|(key, own)| best_of(manifest, rows, own.into_iter()).map(|b| (key, b.0))).take(TOLD).collect();
+    let best = |(key, own): (Vec<String>, Vec<usize>)| best_of(manifest, rows, own.into_iter()).map(|b| (key, b.0));
+    let (shown, more) = cut(groups.into_iter().filter_map(best).collect::<Vec<_>>());
     let columns: Vec<&str> =
         results(manifest, rows).filter(|name| shown.iter().any(|(_, row)| !rows.word(name, *row).is_empty())).collect();
     let others: Vec<&str> = manifest.axes.iter().map(String::as_str).filter(|a| !by.contains(a)).collect();
@@ -129,6 +136,7 @@ fn best(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Markup {
                 @for axis in &others { td { (rows.word(axis, *row)) } } @for name in &columns { td { (rows.word(name, *row)) } }
             } } }
         } }
+        (more)
     } }
 }
 
@@ -152,8 +160,8 @@ fn share(good: usize, all: usize) -> String {
 fn yields(campaign: &Campaign, rows: &Rows) -> Markup {
     let by = compared_by(campaign);
     let hold = |row: &usize| rows.word("status", *row) == Status::Ok.word();
-    let groups: Vec<_> =
-        rows.groups(&by).into_iter().filter(|(key, _)| key.last().is_some_and(|types| !types.is_empty())).take(TOLD).collect();
+    let (groups, more) =
+        cut(rows.groups(&by).into_iter().filter(|(key, _)| key.last().is_some_and(|types| !types.is_empty())).collect::<Vec<_>>());
     html! { @if !groups.is_empty() {
         h2 { "Yield" }
         p class="soft" { "The share of rows with a design whose status is ok, within all limits of their studies, with its 95 % confidence interval as if cases were drawn at random (Wilson)." }
@@ -161,6 +169,7 @@ fn yields(campaign: &Campaign, rows: &Rows) -> Markup {
             thead { tr { @for name in &by { th class="words" { (heading(name)) } } th { "rows" } th { "yield" } } }
             tbody { @for (key, own) in &groups { tr { @for word in key { td class="words" { (word) } } td { (own.len()) } td { (share(own.iter().filter(|r| hold(r)).count(), own.len())) } } } }
         } }
+        (more)
     } }
 }
 
@@ -195,10 +204,9 @@ fn distributions(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Marku
         values.sort_by(f64::total_cmp);
         (!values.is_empty()).then_some(values)
     };
-    let list: Vec<(&str, &Vec<String>, Vec<f64>)> = results(manifest, rows)
-        .flat_map(|name| groups.iter().filter_map(move |(key, own)| Some((name, key, one(name, own)?))))
-        .take(TOLD)
-        .collect();
+    let list: Vec<(&str, &Vec<String>, Vec<f64>)> =
+        results(manifest, rows).flat_map(|name| groups.iter().filter_map(move |(key, own)| Some((name, key, one(name, own)?)))).collect();
+    let (list, more) = cut(list);
     html! {
         h2 { "Distributions of results" }
         div class="tools" { label { "Find " input type="search" data-of="distributions" aria-label="Find results"; } }
@@ -210,6 +218,7 @@ fn distributions(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Marku
                 td { (histogram(values)) }
             } } }
         } }
+        (more)
     }
 }
 
@@ -225,13 +234,15 @@ fn effects(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Markup {
             }
         }
     }
+    let (list, more) = cut(list);
     html! { @if !list.is_empty() {
         h2 { "Main effects" }
         p class="soft" { "Mean of the " (heading(&manifest.objective)) " at each value of what varies, over all that varies else." }
         div class="scroll" { table class="sorts" {
             thead { tr { th { "of" } th class="words" { "value" } th class="words" { "design" } th { "rows" } th { "mean" } } }
-            tbody { @for (axis, key, n, mean) in list.iter().take(TOLD) { tr { td { (axis) } td class="words" { (key[0]) } td class="words" { (key[1]) } td { (n) } td { (short(*mean)) } } } }
+            tbody { @for (axis, key, n, mean) in &list { tr { td { (axis) } td class="words" { (key[0]) } td class="words" { (key[1]) } td { (n) } td { (short(*mean)) } } } }
         } }
+        (more)
     } }
 }
 
@@ -256,14 +267,16 @@ fn sensitivity(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> Markup 
             );
         }
     }
+    let (list, more) = cut(list);
     html! { @if !list.is_empty() {
         h2 { "How much of the variance each key makes" }
         p class="soft" { "Sobol's indices of the " (heading(&manifest.objective)) ": by itself (first order, Saltelli) and with all that it does together with others (total, Jansen), each with half of its 95 % confidence interval as if points were drawn at random." }
         div class="scroll" { table class="sorts" {
             thead { tr { th { "design" } th class="words" { "of" } th class="words" { "key" } th { "first order" } th { "±" } th { "total" } th { "±" } } }
-            tbody { @for (design, labels, key, x) in list.iter().take(TOLD) { tr { td { (design) } td class="words" { (labels) } td class="words" { (key) }
+            tbody { @for (design, labels, key, x) in &list { tr { td { (design) } td class="words" { (labels) } td class="words" { (key) }
                 td { (format!("{:.3}", x.first)) } td { (format!("{:.3}", x.first_within)) } td { (format!("{:.3}", x.total)) } td { (format!("{:.3}", x.total_within)) } } } }
         } }
+        (more)
     } }
 }
 
@@ -277,13 +290,14 @@ fn scatter() -> Markup {
 }
 
 fn failures(rows: &Rows) -> Markup {
-    let groups: Vec<_> = rows.groups(&["status", "reason"]);
+    let (groups, more) = cut(rows.groups(&["status", "reason"]));
     html! {
         h2 { "What became of the cases" }
         div class="scroll" { table class="sorts" {
             thead { tr { th { "status" } th { "rows" } th class="words" { "why" } th { "first case" } } }
-            tbody { @for (key, own) in groups.iter().take(TOLD) { tr { td { (key[0].replace('_', " ")) } td { (own.len()) } td class="words" { (key[1]) } td { (rows.word("case", own[0])) } } } }
+            tbody { @for (key, own) in &groups { tr { td { (key[0].replace('_', " ")) } td { (own.len()) } td class="words" { (key[1]) } td { (rows.word("case", own[0])) } } } }
         } }
+        (more)
     }
 }
 

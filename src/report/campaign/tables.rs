@@ -89,12 +89,17 @@ impl Rows {
         }
     }
 
+    /// The same with all digits of numbers.
+    fn exact(&self, name: &str, row: usize) -> String {
+        self.numbers(name).and_then(|all| all.get(row)).filter(|x| x.is_finite()).map_or_else(|| self.word(name, row), |x| format!("{x}"))
+    }
+
     /// Rows by what stands in some columns, in the order in which that first appears.
     pub fn groups(&self, names: &[&str]) -> Vec<(Vec<String>, Vec<usize>)> {
         let mut list: Vec<(Vec<String>, Vec<usize>)> = Vec::new();
         let mut places: BTreeMap<Vec<String>, usize> = BTreeMap::new();
         for row in 0..self.count {
-            let key: Vec<String> = names.iter().map(|n| self.word(n, row)).collect();
+            let key: Vec<String> = names.iter().map(|n| self.exact(n, row)).collect();
             let place = *places.entry(key).or_insert_with_key(|key| {
                 list.push((key.clone(), Vec::new()));
                 list.len() - 1

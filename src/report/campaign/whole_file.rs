@@ -7,7 +7,7 @@ use std::io::Write;
 use std::path::Path;
 
 /// What names of unfinished files begin with.
-pub(super) const UNFINISHED: &str = ".hartog-";
+pub(super) const UNFINISHED: &str = ".hartog-campaign-";
 
 /// Writes a file under a temporary name in its folder, which is made where it is missing, and renames it.
 ///

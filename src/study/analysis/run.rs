@@ -21,7 +21,7 @@ use super::searches::Searches;
 use super::sheets::{self, Sheet};
 use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
-use super::systems::{appearing, load_cases, systems};
+use super::systems::{appearing, finders, load_cases, systems};
 use super::tables_for_searches::with_tables;
 use super::timing::{Clock, Timing};
 use super::torsion_case::{self, CaseOfDesign};
@@ -105,12 +105,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let methods = methods(study, &systems, &grid, progress, &mut clock);
     let margin = crank(study, &systems[0], &grid, progress, &mut clock);
     let duty_points = duty::points(study);
-    let finder = |(i, (system, method))| {
-        let finder = PeakFinder::new(system, &grid, method, study.refine_peaks).with_margin(margin.as_ref());
-        // a duty is of the engine as it should be
-        if i == 0 { finder.with_duty(&duty_points) } else { finder }
-    };
-    let finders: Vec<PeakFinder> = systems.iter().zip(&methods).enumerate().map(finder).collect();
+    let finders = finders(study, (&systems, &methods), &grid, (margin.as_ref(), &duty_points));
     let modes = modes(study, &systems[0]);
     let (choices, finders) = with_tables(study, &modes, finders, progress, &mut clock);
     let measures = margins::measures(study);

@@ -1,14 +1,16 @@
 //! The systems of a study: its engine firing, misfiring, with cylinders that burn unequally, and with none that burns.
 
 use super::Progress;
+use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::engine::excitation::MotoredChange;
 use crate::engine::{Excitation, Order};
 use crate::input::Study;
 use crate::numerics::C64;
 use crate::objective::condition::Burning;
-use crate::objective::{Condition, PeakFinder};
+use crate::objective::{Condition, DutyLoad, PeakFinder};
 use crate::optimise::LoadCase;
+use crate::response::{Grid, Method};
 
 /// A sum of torques below this share of one of them is rounding.
 const SILENT: f64 = 1e-9;
@@ -35,6 +37,21 @@ pub(crate) fn systems(study: &Study, excitation: Excitation, progress: &dyn Prog
     let unlike: Vec<Excitation> = burnings.into_iter().filter_map(|b| Some((b, change.as_ref()?))).flat_map(excitations_of).collect();
     let with = |excitation| study.system(excitation);
     std::iter::once(excitation).chain(unlike).map(with).collect()
+}
+
+/// What finds the peaks of each system.
+pub(super) fn finders<'a>(
+    study: &Study,
+    (systems, methods): (&'a [System], &'a [Method<'a>]),
+    grid: &'a Grid,
+    (margin, duty): (Option<&'a Margin>, &'a [DutyLoad]),
+) -> Vec<PeakFinder<'a>> {
+    let finder = |(i, (system, method))| {
+        let finder = PeakFinder::new(system, grid, method, study.refine_peaks).with_margin(margin);
+        // a duty is of the engine as it should be
+        if i == 0 { finder.with_duty(duty) } else { finder }
+    };
+    systems.iter().zip(methods).enumerate().map(finder).collect()
 }
 
 /// The engines of a condition among all of a study.

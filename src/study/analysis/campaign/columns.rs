@@ -134,33 +134,28 @@ pub fn columns<'s>(campaign: &Campaign, studies: impl Iterator<Item = &'s Study>
     list.extend(campaign.sample.iter().flat_map(|s| &s.keys).map(|k| column(k.name.clone(), CellKind::Number)));
     list.extend([column("status", CellKind::Text), column("reason", CellKind::Text)]);
     let inputs = list.len();
-    if campaign.tolerance.is_some() {
-        list.push(column("exact", CellKind::Truth));
-    }
-    for study in studies {
-        for own in of_study(study, campaign.each) {
-            // what a case is given has its column already: of a result of the same name there is another one
-            let name = if list[..inputs].iter().any(|c| c.name == own.name) { found(&own.name) } else { own.name };
-            if list.iter().all(|c| c.name != name) {
-                list.push(Column { name, ..own });
-            }
+    let exact = campaign.tolerance.map(|_| column("exact", CellKind::Truth));
+    for own in exact.into_iter().chain(studies.flat_map(|study| of_study(study, campaign.each))) {
+        // what a case is given has its column already: of a result of the same name, but for capitals, there is another one
+        let is_given = list[..inputs].iter().any(|c| c.name.eq_ignore_ascii_case(&own.name));
+        let name = if is_given { found(&own.name) } else { own.name };
+        if list.iter().all(|c| c.name != name) {
+            list.push(Column { name, ..own });
         }
     }
     list
 }
 
-/// Where cells of a name go; the parameters of a single absorber, too, where other designs have several.
-pub(super) fn index_of(columns: &[Column], inputs: usize, name: &str) -> Option<usize> {
-    let at = |name: &str| columns.iter().position(|c| c.name == name);
-    match at(name) {
-        Some(i) if i < inputs => at(&found(name)),
-        None => at(&of_parameter(name, 0, 2)).filter(|i| *i >= inputs),
-        own => own,
-    }
+/// Where results of a name are: in its own column, in another one where a case is given what has that name, or, of a single absorber, in that of the first of several.
+#[doc(hidden)]
+pub fn index_of(campaign: &Campaign, columns: &[Column], name: &str) -> Option<usize> {
+    // the case and what it is given, status and reason
+    let inputs = 3 + campaign.axes.len() + campaign.sample.as_ref().map_or(0, |s| s.keys.len());
+    let at = |name: &str| columns.iter().skip(inputs).position(|c| c.name == name).map(|i| inputs + i);
+    at(name).or_else(|| at(&found(name))).or_else(|| at(&of_parameter(name, 0, 2)))
 }
 
 /// The column of a result where its name is that of what a case is given.
-#[doc(hidden)]
-pub fn found(name: &str) -> String {
+fn found(name: &str) -> String {
     format!("{name}_found")
 }

@@ -3,7 +3,7 @@
 use crate::analysis::evaluation_plan::EvaluationPlan;
 use crate::analysis::run::{grid, methods, modes};
 use crate::analysis::searches::Searches;
-use crate::analysis::systems::{load_cases, systems};
+use crate::analysis::systems::{finders, load_cases, systems};
 use crate::analysis::tables_for_searches::with_tables;
 use crate::analysis::timing::Clock;
 use crate::analysis::{RunError, Silent, calibrate, compounds, crank_models, duty, margins};
@@ -43,11 +43,7 @@ pub(super) fn with_searches<T>(
     let methods: Vec<Method> = methods(study, &systems, &grid, &Silent, &mut clock);
     let margin = margins::model(study, &systems[0].excitation.harmonics, &grid);
     let duty_points = duty::points(study);
-    let finder = |(i, (system, method))| {
-        let finder = PeakFinder::new(system, &grid, method, study.refine_peaks).with_margin(margin.as_ref());
-        if i == 0 { finder.with_duty(&duty_points) } else { finder }
-    };
-    let finders: Vec<PeakFinder> = systems.iter().zip(&methods).enumerate().map(finder).collect();
+    let finders = finders(study, (&systems, &methods), &grid, (margin.as_ref(), &duty_points));
     let modes = modes(study, &systems[0]);
     let (_, finders) = with_tables(study, &modes, finders, &Silent, &mut clock);
     let finders: Vec<PeakFinder> = match tolerance {

@@ -147,9 +147,8 @@ fn ended(case: &Case, crashed: &[usize]) -> Option<Vec<Row>> {
 /// Computes cases in their order, and hands on the rows of each. `crashed`: those that end the program, which are told as such.
 #[doc(hidden)]
 pub fn run_cases(campaign: &Campaign, columns: &[Column], range: Range<usize>, crashed: &[usize], put: &mut dyn FnMut(usize, Rows)) {
-    let inputs = campaign.axes.len() + campaign.sample.as_ref().map_or(0, |s| s.keys.len()) + 3;
     let mut put = |case: &Case, rows: Vec<Row>| {
-        put(case.number, rows.into_iter().map(|row| cells(campaign, columns, inputs, case, row)).collect());
+        put(case.number, rows.into_iter().map(|row| cells(campaign, columns, case, row)).collect());
     };
     for own in campaign.by_combination(range) {
         let first = campaign.cases_of(own.start..own.start + 1);
@@ -162,7 +161,7 @@ pub fn run_cases(campaign: &Campaign, columns: &[Column], range: Range<usize>, c
 }
 
 /// The cells of a row.
-fn cells(campaign: &Campaign, columns: &[Column], inputs: usize, case: &Case, row: Row) -> Vec<Cell> {
+fn cells(campaign: &Campaign, columns: &[Column], case: &Case, row: Row) -> Vec<Cell> {
     let mut cells = vec![Cell::Empty; columns.len()];
     let labels = campaign.axes.iter().zip(campaign.labels(case)).map(|(axis, label)| match label.parse() {
         Ok(number) if axis.numeric => Cell::Number(number),
@@ -175,7 +174,7 @@ fn cells(campaign: &Campaign, columns: &[Column], inputs: usize, case: &Case, ro
         *cell = value;
     }
     for (name, value) in row.cells {
-        if let Some(i) = index_of(columns, inputs, &name) {
+        if let Some(i) = index_of(campaign, columns, &name) {
             cells[i] = value;
         }
     }

@@ -27,23 +27,8 @@ pub(super) fn column(key: &str) -> &str {
     key.rsplit('.').find(|part| part.parse::<usize>().is_err()).unwrap_or(key)
 }
 
-/// Columns that tables have of results.
-const TAKEN: [&str; 14] = [
-    "case",
-    "status",
-    "reason",
-    "design",
-    "types",
-    "exact",
-    "objective",
-    "limits_hold",
-    "converged",
-    "kkt_residual",
-    "starts_agreeing",
-    "evaluations",
-    "proof",
-    "dominated",
-];
+/// Columns that every table has, by which it is read.
+const TAKEN: [&str; 5] = ["case", "status", "reason", "design", "types"];
 /// A name is no longer than this: it is part of that of a folder, too.
 const LONGEST: usize = 60;
 
@@ -56,7 +41,7 @@ pub(super) fn free<T>(check: &mut Check, at: &At<T>, name: &str, names: &mut Has
         let expected = format!("expected at most {LONGEST} letters, digits and `_`; `name` gives another one");
         check.wrong(at, format!("found `{name}` as the name of a column, {expected}"));
     } else if TAKEN.contains(&lower.as_str()) {
-        check.wrong(at, format!("found `{name}`, which is a column of results, expected another name; `name` gives one"));
+        check.wrong(at, format!("found `{name}`, which every table has, expected another name; `name` gives one"));
     } else if !names.insert(lower) {
         check.wrong(at, format!("found the column `{name}` a second time, expected different ones; `name` gives another one"));
     }

@@ -159,7 +159,7 @@ fn the_worst_within_tolerances_is_bounded() {
     let grid = Grid::new(&s.speeds_rpm, &sys.excitation.tabulated_rpm);
     let method = Method::Direct(Direct::new(&sys, &grid));
     let finder = PeakFinder::new(&sys, &grid, &method, true);
-    let cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finder, deviation: None }];
+    let cases = [LoadCase::new(Condition::Firing, &finder)];
     let (k, c, j) = ("stiffness_n_m_per_rad", "damping_n_m_s_per_rad", "ring_inertia_kg_m2");
     let tuned = on(0, Kind::Tuned, 0.076, 55_356.0, 36.829);
     let rubber = Mounted::on_station(0, Rubber { ring_inertia: 0.05, stiffness: 4e4, loss_factor: 0.3 });
@@ -190,7 +190,7 @@ fn where_there_is_no_bound_nothing_is_told() {
         let grid = Grid::new(speeds, &[]);
         let method = Method::Direct(Direct::new(sys, &grid));
         let finder = PeakFinder::new(sys, &grid, &method, refine);
-        let cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finder, deviation: None }];
+        let cases = [LoadCase::new(Condition::Firing, &finder)];
         let measure = Measure::new(vec![Quantity::ShaftTorque(0)], Over::Synthesis);
         let tolerances = Tolerances::of(&design, &[("stiffness_n_m_per_rad", 0.1)]);
         let value = |p: &[f64]| deviated(&cases, &design, &tolerances.at(p), &measure);

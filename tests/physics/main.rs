@@ -2,6 +2,7 @@
 #![expect(clippy::disallowed_methods, reason = "tests hold results against the elementary functions of the standard library")]
 
 mod absorbers;
+mod assignments;
 mod ceilings;
 mod chains;
 mod construction;

@@ -113,7 +113,7 @@ fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
     let grid = Grid::new(&speeds, &[]);
     let method = Method::Direct(Direct::new(&system, &grid));
     let finder = PeakFinder::new(&system, &grid, &method, true);
-    let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finder, deviation: None }];
+    let load_cases = [LoadCase::new(Condition::Firing, &finder)];
     let (from, to) = (random.random_range(0..n), random.random_range(0..n));
     let quantity = Quantity::Twist { from, to: (from != to).then_some(to) };
     let over = if random.random_bool(0.7) { Over::Synthesis } else { Over::Orders };

@@ -19,10 +19,7 @@ fn with_scenes(study: &Study, f: impl FnOnce(&[LoadCase], &[Vec<EngineMode>])) {
     let grid = Grid::new(&study.speeds_rpm, &sys.excitation.tabulated_rpm);
     let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[study.twist]));
     let modes = families::engine_modes(study, family(study), highest_frequency_hz(study, &sys.excitation.orders));
-    f(
-        &[LoadCase { condition: Condition::Firing, cylinder: None, finder: &PeakFinder::new(&sys, &grid, &method, true), deviation: None }],
-        &modes,
-    );
+    f(&[LoadCase::new(Condition::Firing, &PeakFinder::new(&sys, &grid, &method, true))], &modes);
 }
 
 /// What a study optimises.

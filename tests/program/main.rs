@@ -18,6 +18,7 @@ mod long;
 mod new;
 mod overrides;
 mod page;
+mod platforms;
 mod plausibility;
 mod proof_tables;
 mod report;

@@ -188,7 +188,7 @@ fn gradients_in_every_condition() {
     let grid = Grid::new(&s.speeds_rpm, &[]);
     let methods = [&firing, &misfire].map(|sys| Method::Direct(Direct::new(sys, &grid)));
     let finders = [(&firing, &methods[0]), (&misfire, &methods[1])].map(|(sys, method)| PeakFinder::new(sys, &grid, method, true));
-    let load_case = |condition, finder| LoadCase { condition, cylinder: None, finder, deviation: None };
+    let load_case = |condition, finder| LoadCase::new(condition, finder);
     let load_cases = [
         load_case(Condition::Firing, &finders[0]),
         load_case(Condition::Misfire, &finders[1]),

@@ -324,7 +324,7 @@ fn optimum_by_margin() {
         ],
     };
     case.with(|finder| {
-        let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder, deviation: None }];
+        let load_cases = [LoadCase::new(Condition::Firing, finder)];
         let start = [space.variables[0].coordinate(2e5), space.variables[1].coordinate(60.0)];
         let best = |objective: &Measure, limits: &[Limit]| {
             let objectives = [objective.in_si()];

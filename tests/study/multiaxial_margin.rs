@@ -202,7 +202,7 @@ fn optimum_by_a_multiaxial_margin() {
         Slot { declaration: &TUNED, on: Host::Station(0), hub_inertia: 0.0, values: vec![0.01, 0.0, 0.0], material: Default::default() };
     let space = Space { slots: vec![slot], variables };
     case.with(|finder| {
-        let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder, deviation: None }];
+        let load_cases = [LoadCase::new(Condition::Firing, finder)];
         let objectives = [measure.in_si()];
         let problem =
             Problem { load_cases: &load_cases, space: space.clone(), objectives: &objectives, weights: &[], limits: &[], memory: None };

@@ -71,7 +71,7 @@ fn optima_of_the_largest_order_on_a_grid() {
     let grid = Grid::new(&s.speeds_rpm, &[]);
     let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[s.twist]));
     let finder = PeakFinder::new(&sys, &grid, &method, false);
-    let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finder, deviation: None }];
+    let load_cases = [LoadCase::new(Condition::Firing, &finder)];
     let family = s.optimise.as_ref().expect("optimises");
     let modes = families::engine_modes(&s, family, 1e4);
     s.objective.measure.over = Over::Orders;

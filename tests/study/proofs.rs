@@ -54,7 +54,7 @@ fn with_problem(s: &Study, check: impl FnOnce(&Problem, &[(String, Vec<f64>)])) 
     let grid = Grid::new(&s.speeds_rpm, &[]);
     let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[s.twist]));
     let finder = PeakFinder::new(&sys, &grid, &method, true);
-    let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finder, deviation: None }];
+    let load_cases = [LoadCase::new(Condition::Firing, &finder)];
     let spec = s.optimise.as_ref().expect("optimises");
     let modes = families::engine_modes(s, spec, 1e4);
     let objective = [s.objective.measure.in_si()];

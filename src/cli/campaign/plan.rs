@@ -117,6 +117,11 @@ fn told(checked: &Checked) -> String {
 /// What varies, in a line.
 fn question(campaign: &Campaign) -> String {
     let axes = campaign.axes.iter().map(|a| format!("{} {}", a.variants.len(), a.name));
+    let platform = campaign.platform.iter().map(|p| {
+        let axes: Vec<String> = p.axes().map(|a| format!("{} {}", a.variants.len(), a.name)).collect();
+        let by = if p.targets.is_some() { "targets given" } else { "in units of the optimum of each alone" };
+        format!("dampers for {} ({by})", axes.join(" at "))
+    });
     let sample = campaign.sample.iter().map(|s| {
         let by = match (&s.drawing, s.indices) {
             (Drawing::Sobol, true) => "Saltelli's scheme",
@@ -128,7 +133,7 @@ fn question(campaign: &Campaign) -> String {
         let keys: Vec<&str> = s.keys.iter().map(|k| k.name.as_str()).collect();
         format!("{} points of {} ({by})", s.count().unwrap_or_default(), keys.join(", "))
     });
-    axes.chain(sample).collect::<Vec<_>>().join(" x ")
+    axes.chain(platform).chain(sample).collect::<Vec<_>>().join(" x ")
 }
 
 fn duration(seconds: f64) -> String {
@@ -146,7 +151,7 @@ fn check(campaign: &Campaign) -> (Checked, Vec<InputFile>) {
     // of studies with the same columns one is enough
     let mut studies: Vec<(Vec<Column>, Study)> = Vec::new();
     let mut combinations = 0;
-    for case in campaign.first_cases() {
+    for case in campaign.first_studies() {
         combinations += 1;
         let (study, own) = noted(|| campaign.study_of_case(&case));
         files.extend(own.into_iter().filter(|f| files.iter().all(|known| known.path != f.path)).collect::<Vec<_>>());
@@ -162,7 +167,11 @@ fn check(campaign: &Campaign) -> (Checked, Vec<InputFile>) {
     }
     let columns = columns(campaign, studies.iter().map(|s| &s.1));
     let objective = studies.first().map(|s| s.1.objective.clone());
-    if let Some(other) = studies.iter().map(|s| &s.1.objective).find(|o| objective.as_ref().is_some_and(|first| first.column != o.column)) {
+    if let Some(other) = studies
+        .iter()
+        .map(|s| &s.1.objective)
+        .find(|o| campaign.platform.is_none() && objective.as_ref().is_some_and(|first| first.column != o.column))
+    {
         let first = objective.as_ref().map_or("", |o| o.column.as_str());
         say_to_error(&format!(
             "warning: studies differ in their first objective: the page compares by `{first}`, not by `{}`",

@@ -105,7 +105,7 @@ pub fn measure(study: &Study) -> Result<Vec<Evolution>, RunError> {
     let duty = crate::analysis::duty_points(study);
     let finder = PeakFinder::new(&system, &grid, &method, study.refine_peaks).with_margin(margin.as_ref()).with_duty(&duty);
     let finders = [finder];
-    let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finders[0], deviation: None }];
+    let load_cases = [LoadCase::new(Condition::Firing, &finders[0])];
     let wanted = EvaluationPlan::new(study, &[]);
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, &Silent);
     let limits: Vec<Limit> = study.limits.iter().map(LimitSpec::to_limit).collect();

@@ -211,8 +211,7 @@ impl Least {
         // limits hold with a little above them
         let objectives = problem.objectives.iter().filter_map(|l| Some((l, claim?))).filter(|_| !speed.by_limit);
         let limits = problem.limits.iter().map(|l| (l, 1.0 + HELD)).filter(|_| speed.by_limit);
-        let parts =
-            objectives.chain(limits).flat_map(|(l, by)| l.parts_in(case.condition).map(move |(measure, unit)| (measure, unit * by)));
+        let parts = objectives.chain(limits).flat_map(|(l, by)| case.parts_of(l).map(move |(measure, unit)| (measure, unit * by)));
         let parts: Vec<_> = parts.filter(|(measure, _)| measure.within.holds(rpm)).collect();
         let is_there = |q: &&Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= problem.space.slots.len());
         let quantities: Vec<Quantity> = parts.iter().flat_map(|p| p.0.quantities.iter().filter(is_there).copied()).collect();

@@ -1,6 +1,5 @@
 //! Measures of a design: what objectives, limits and fronts are made of.
 
-use super::condition::Condition;
 use super::statistic::Statistic;
 use crate::engine::Order;
 use crate::response::Quantity;
@@ -186,7 +185,7 @@ impl Measure {
     /// In units of one: W, rad, N m.
     #[must_use]
     pub fn in_si(&self) -> Limit {
-        Limit { measure: self.clone(), limit: 1.0, excepted: Vec::new() }
+        Limit { measure: self.clone(), limit: 1.0, excepted: Vec::new(), engine: None }
     }
 
     /// The same where two absorbers have changed places.
@@ -243,6 +242,8 @@ pub struct Limit {
     pub limit: f64,
     /// What is left of it at speeds that a study excepts.
     pub excepted: Vec<AtExceptedSpeeds>,
+    /// Of several engines that share a design, the one that it is of; `None`: of every one.
+    pub engine: Option<usize>,
 }
 
 /// What a limit allows at speeds that a study excepts from it: a rule lets them be barred, but limits the stress there, too.
@@ -260,17 +261,11 @@ impl Limit {
     /// The same, a factor as large.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         let excepted = self.excepted.iter().map(|e| AtExceptedSpeeds { limit: e.limit * factor, ..e.clone() }).collect();
-        Self { measure: self.measure.clone(), limit: self.limit * factor, excepted }
+        Self { measure: self.measure.clone(), limit: self.limit * factor, excepted, engine: self.engine }
     }
 
     /// Its measures, each with what it is in units of, and whether that holds with all cylinders firing only.
     pub(crate) fn parts(&self) -> impl Iterator<Item = (&Measure, f64, bool)> {
         std::iter::once((&self.measure, self.limit, false)).chain(self.excepted.iter().map(|e| (&e.measure, e.limit, e.in_service)))
-    }
-
-    /// Those that count in a condition.
-    #[doc(hidden)]
-    pub fn parts_in(&self, condition: Condition) -> impl Iterator<Item = (&Measure, f64)> {
-        self.parts().filter(move |p| condition.counts(p.2)).map(|p| (p.0, p.1))
     }
 }

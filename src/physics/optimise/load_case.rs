@@ -1,13 +1,23 @@
 //! A condition of the engine in which a design is held: its absorbers there, and what they come to.
 
 use super::variables::Space;
-use crate::absorber::{Deviation, Mounted};
+use crate::absorber::{Deviation, Host, Mounted};
 use crate::objective::Shared;
 use crate::objective::condition::Condition;
 use crate::objective::in_operation;
-use crate::objective::measure::{Measure, Over};
+use crate::objective::measure::{Limit, Measure, Over};
 use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
+use std::borrow::Cow;
+
+/// One of several engines that share a design.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Engine<'a> {
+    /// Which of them.
+    pub index: usize,
+    /// What carries each absorber there.
+    pub hosts: &'a [Host],
+}
 
 /// One condition of the engine: what is asked of a design is asked in each.
 #[derive(Debug, Clone, Copy)]
@@ -20,14 +30,28 @@ pub struct LoadCase<'a> {
     pub finder: &'a PeakFinder<'a>,
     /// How absorbers deviate from what was drawn.
     pub deviation: Option<&'a Deviation>,
+    /// Which of several engines it is of; `None` where there is only one.
+    pub engine: Option<Engine<'a>>,
 }
 
-impl LoadCase<'_> {
+impl<'a> LoadCase<'a> {
+    /// That of the only engine, with absorbers as drawn.
+    pub fn new(condition: Condition, finder: &'a PeakFinder<'a>) -> Self {
+        Self { condition, cylinder: finder.system.excitation.units.misfiring(), finder, deviation: None, engine: None }
+    }
+
+    /// A design in its place on this engine.
+    fn mounted<'d>(&self, design: &'d [Mounted]) -> Cow<'d, [Mounted]> {
+        let Some(engine) = self.engine else { return Cow::Borrowed(design) };
+        Cow::Owned(design.iter().zip(engine.hosts).map(|(m, host)| Mounted { on: *host, ..m.clone() }).collect())
+    }
+
     /// The absorbers of a design as they are here.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance, of absorbers in operation.
     pub fn absorbers(&self, design: &[Mounted]) -> Result<Vec<Mounted>, ResponseError> {
+        let design = &*self.mounted(design);
         match self.deviation {
             // what deviates is what was drawn; its state in operation follows from that
             Some(deviation) if self.condition == Condition::InOperation => {
@@ -40,6 +64,7 @@ impl LoadCase<'_> {
 
     /// The same where only a few speeds are asked for: in operation, no state is found but at those.
     pub(super) fn absorbers_at_few_speeds(&self, design: &[Mounted]) -> Vec<Mounted> {
+        let design = &*self.mounted(design);
         match self.deviation {
             Some(deviation) if self.condition == Condition::InOperation => {
                 in_operation::absorbers_at_few_speeds(self.condition, self.finder, &deviation.of(design))
@@ -66,9 +91,19 @@ impl LoadCase<'_> {
         self.finder.exact_value(&self.absorbers(design)?, (measure, least), &Shared::default(), work)
     }
 
-    /// Whether a measure is another one here: temperatures are those in operation in every load case, and a property is that of what was drawn.
-    pub(super) fn asks(&self, measure: &Measure) -> bool {
-        self.condition != Condition::InOperation || !matches!(measure.over, Over::Temperature | Over::Property(_))
+    /// Measures of a limit or objective that are asked here, each with what it is in units of: those of this engine that count in this condition. Temperatures are those in operation in every load case, and a property is that of what was
+    /// drawn: neither is another one in operation.
+    #[doc(hidden)]
+    pub fn parts_of<'l>(&self, limit: &'l Limit) -> impl Iterator<Item = (&'l Measure, f64)> {
+        let case = *self;
+        limit.parts().filter(move |p| case.counts(limit, p.0, p.2)).map(|p| (p.0, p.1))
+    }
+
+    /// Whether one of them is.
+    pub(super) fn counts(&self, limit: &Limit, measure: &Measure, in_service: bool) -> bool {
+        let of_here = limit.engine.is_none_or(|engine| self.engine.is_none_or(|own| own.index == engine));
+        let is_other = self.condition != Condition::InOperation || !matches!(measure.over, Over::Temperature | Over::Property(_));
+        of_here && is_other && self.condition.counts(in_service)
     }
 
     /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.

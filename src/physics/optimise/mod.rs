@@ -2,6 +2,8 @@
 
 mod adaptive_levels;
 pub mod allocation;
+#[doc(hidden)]
+pub mod assignment;
 pub mod checkpoint;
 #[doc(hidden)]
 pub mod conflict;
@@ -36,8 +38,8 @@ pub mod verification_scan;
 pub use checkpoint::{BestSoFar, Memory, Remembers, Sought};
 pub use conflict::{Conflict, Party};
 pub use front::{Front, FrontPoint};
-pub use load_case::LoadCase;
 pub use load_case::largest;
+pub use load_case::{Engine, LoadCase};
 pub use minimax::Outcome;
 pub use problem::{Problem, Role, Row, Rows};
 pub use proof::{Effort, ExcludingSpeed, Exclusion, Exclusions, Proof, Reason, Verdict};

@@ -140,7 +140,7 @@ impl Problem<'_> {
         search: impl FnOnce(&mut Work) -> Result<T, E>,
     ) -> Result<T, E> {
         let Some(Remembers { memory, .. }) = self.memory else { return search(work) };
-        let load_cases: Vec<_> = self.load_cases.iter().map(|s| (s.condition, s.cylinder, s.deviation)).collect();
+        let load_cases: Vec<_> = self.load_cases.iter().map(|s| (s.condition, s.cylinder, s.deviation, s.engine)).collect();
         let key = (own, &self.space, self.objectives, self.weights, self.limits, load_cases);
         let (found, spent) = checkpoint::remembered(Some(memory), &key, || {
             let mut spent = Work::default();
@@ -190,7 +190,11 @@ impl Problem<'_> {
     }
 
     /// The same to rounding.
-    pub(super) fn exactly(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
+    ///
+    /// # Errors
+    /// As [`Self::value`].
+    #[doc(hidden)]
+    pub fn exactly(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
         let found = self.by((w, f64::INFINITY), |finder, design, of, shared| finder.exact_value(design, of, shared, work));
         work.noted(found)
     }
@@ -204,17 +208,16 @@ impl Problem<'_> {
         let own = self.space.design(w);
         let (mut values, mut excess) = (vec![0.0_f64; self.objectives.len()], 0.0_f64);
         for (_, load_case) in self.steering() {
-            let (design, shared) = (load_case.absorbers(&own)?, self.shared());
-            for (value, objective) in values.iter_mut().zip(self.objectives).filter(|o| load_case.asks(&o.1.measure)) {
-                for (measure, unit) in objective.parts_in(load_case.condition) {
+            let (design, shared) = (load_case.absorbers(&own)?, self.shared(load_case));
+            for (value, objective) in values.iter_mut().zip(self.objectives) {
+                for (measure, unit) in load_case.parts_of(objective) {
                     *value = value.max(of(load_case.finder, &design, (measure, 0.0), &shared)? / unit);
                 }
             }
             if self.together(&values) > most {
                 return Ok((self.together(&values), f64::INFINITY));
             }
-            let asked = self.limits.iter().filter(|l| load_case.asks(&l.measure));
-            for (measure, limit) in asked.flat_map(|l| l.parts_in(load_case.condition)) {
+            for (measure, limit) in self.limits.iter().flat_map(|l| load_case.parts_of(l)) {
                 // what does not reach its limit exceeds nothing
                 excess = excess.max((of(load_case.finder, &design, (measure, limit), &shared)? / limit).logarithm());
             }
@@ -238,7 +241,7 @@ impl Problem<'_> {
             let load_case = &self.load_cases[row.load_case];
             // speeds that are excepted from a limit have rows of their own
             let holds = |m: &Measure| m.within.holds(row.peak.speed_rpm);
-            let Some((measure, unit)) = self.objectives[i].parts_in(load_case.condition).find(|part| holds(part.0)) else { return false };
+            let Some((measure, unit)) = load_case.parts_of(&self.objectives[i]).find(|part| holds(part.0)) else { return false };
             let least = load_case.finder.at_least(&load_case.absorbers_at_few_speeds(&own), (measure, &row.peak), work);
             values[i] = values[i].max(least.unwrap_or(0.0) / unit);
             self.together(&values) > value
@@ -270,19 +273,19 @@ impl Problem<'_> {
         let limits = self.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));
         let asked: Vec<_> = objectives
             .chain(limits)
-            .flat_map(|(role, limit)| limit.parts().map(move |(measure, unit, in_service)| (role, measure, unit, in_service)))
-            .map(|(role, measure, unit, in_service)| {
+            .flat_map(|(role, limit)| limit.parts().map(move |part| (role, limit, part)))
+            .map(|(role, limit, (measure, unit, in_service))| {
                 let of_margin = matches!(measure.over, Over::Margin(_));
-                (role, measure, unit, in_service, if of_margin { share.max(ROW_SHARE_OF_MARGIN) } else { share })
+                let keep = if of_margin { share.max(ROW_SHARE_OF_MARGIN) } else { share };
+                (role, measure, unit, keep, move |case: &LoadCase| case.counts(limit, measure, in_service))
             })
             .collect();
         // case by case: what measures share of one is given up before the next
         let mut by_measure: Vec<Vec<(usize, Peak)>> = vec![Vec::new(); asked.len()];
         let mut designs = Vec::new();
         for (load_case, s) in self.steering() {
-            let (design, shared) = (s.absorbers(&own)?, self.shared());
-            let here = asked.iter().zip(&mut by_measure).filter(|(a, _)| s.asks(a.1) && s.condition.counts(a.3));
-            for ((role, measure, unit, _, keep), found) in here {
+            let (design, shared) = (s.absorbers(&own)?, self.shared(s));
+            for ((role, measure, unit, keep, _), found) in asked.iter().zip(&mut by_measure).filter(|(a, _)| (a.4)(s)) {
                 let least = if role.is_limit() { FAR_BELOW * unit } else { 0.0 };
                 let peaks = s.finder.peaks_knowing(&design, measure, Asked { keep: *keep, least }, &shared, work)?;
                 found.extend(peaks.into_iter().map(|p| (designs.len(), p)));
@@ -291,7 +294,7 @@ impl Problem<'_> {
         }
         let varying: Vec<usize> = (0..own.len()).filter(|i| self.space.varies(*i)).collect();
         let mut rows = Vec::new();
-        for ((role, measure, unit, _, share), mut found) in asked.into_iter().zip(by_measure) {
+        for ((role, measure, unit, share, _), mut found) in asked.into_iter().zip(by_measure) {
             // peaks that are large in their own load case may be small among all
             let largest = found.iter().map(|p| p.1.value).fold(0.0, f64::max);
             found.retain(|p| p.1.value >= share * largest);
@@ -321,8 +324,8 @@ impl Problem<'_> {
     }
 
     /// What evaluations of a design in one load case share.
-    fn shared(&self) -> Shared {
-        Shared::of(self.objectives.iter().chain(self.limits).flat_map(Limit::parts).map(|part| part.0))
+    fn shared(&self, case: &LoadCase) -> Shared {
+        Shared::of(self.objectives.iter().chain(self.limits).flat_map(|l| case.parts_of(l)).map(|part| part.0))
     }
 
     /// Load cases in which the family can change something, with their indices.

@@ -2,7 +2,7 @@
 
 use super::error::CampaignError;
 use super::whole_file;
-use crate::analysis::campaign::{Column, Shard, index_of};
+use crate::analysis::campaign::{Column, Shard, compared_by};
 use crate::input::campaign::{Campaign, read_campaign};
 use crate::input::{InputFile, MeasureSpec, checksum};
 use crate::manifest::PROGRAM;
@@ -61,7 +61,8 @@ impl Manifest {
     ) -> Self {
         let inputs: Vec<InputFile> =
             inputs.iter().map(|f| InputFile { path: f.path.canonicalize().unwrap_or_else(|_| f.path.clone()), ..f.clone() }).collect();
-        let axes = campaign.axes.iter().map(|a| &a.name).chain(campaign.sample.iter().flat_map(|s| &s.keys).map(|k| &k.name));
+        let (compared_by, larger_is_better) = compared_by(campaign, &columns, objective);
+        let axes = campaign.all_axes().map(|a| &a.name).chain(campaign.sample.iter().flat_map(|s| &s.keys).map(|k| &k.name));
         let mut own = Self {
             program: PROGRAM.to_owned(),
             build: build(),
@@ -74,8 +75,8 @@ impl Manifest {
             shards: campaign.shards(cases_per_shard),
             expanded: format!("{:08x}", crc32fast::hash(campaign.expanded().as_bytes())),
             seconds_per_case,
-            objective: index_of(campaign, &columns, &objective.column).map(|i| columns[i].name.clone()).unwrap_or_default(),
-            larger_is_better: objective.unit.is_inverse(),
+            objective: compared_by,
+            larger_is_better,
             columns,
         };
         own.address = own.address();

@@ -2,6 +2,8 @@
 //!
 //! A shard is a function of the manifest, the inputs that it lists and its number to bytes; its receipt is written after its table. Whatever is killed, repeated or done in another order leaves the same files.
 
+mod cut;
+mod dampers;
 mod dataset;
 mod error;
 mod export;

@@ -1,11 +1,13 @@
 //! `campaign.html`: what was asked, what came of it, the best, the yield, and what depends on what.
 
+use super::cut::cut;
+use super::dampers::{self, dampers};
 use super::dataset::Dataset;
 use super::error::CampaignError;
 use super::manifest::Manifest;
 use super::tables::{Rows, Values};
 use super::whole_file;
-use crate::analysis::campaign::{Status, indices};
+use crate::analysis::campaign::{DAMPERS, Status, indices};
 use crate::columns::heading;
 use crate::input::campaign::Campaign;
 use crate::page::{TABLES, embedded, page};
@@ -25,8 +27,6 @@ const MARK: &str = "<!-- hartog campaign -->";
 
 /// Rows that are drawn.
 const DRAWN: usize = 4000;
-/// Rows of tables that are told.
-const TOLD: usize = 200;
 /// Bars of a distribution.
 const BARS: usize = 24;
 /// Normal deviate of a 95 % interval.
@@ -47,11 +47,16 @@ pub fn write_page(folder: &Path, manifest: &Manifest, campaign: &Campaign, datas
         (PreEscaped(MARK))
         h1 { "Campaign " (campaign.name) }
         (asked(manifest, campaign, dataset))
-        (best(manifest, campaign, &rows))
-        (yields(campaign, &rows))
-        (distributions(manifest, campaign, &rows))
-        (effects(manifest, campaign, &rows))
-        (sensitivity(manifest, campaign, &rows))
+        @match &campaign.platform {
+            Some(platform) => (dampers(manifest, campaign, platform, &rows)),
+            None => {
+                (best(manifest, campaign, &rows))
+                (yields(campaign, &rows))
+                (distributions(manifest, campaign, &rows))
+                (effects(manifest, campaign, &rows))
+                (sensitivity(manifest, campaign, &rows))
+            }
+        }
         (scatter())
         (failures(&rows))
         (provenance(manifest, dataset))
@@ -59,12 +64,14 @@ pub fn write_page(folder: &Path, manifest: &Manifest, campaign: &Campaign, datas
         script { (PreEscaped(TABLES)) (PreEscaped(SCRIPT)) }
     };
     whole_file::write(&folder.join(PAGE), page(&format!("{} – hartog", campaign.name), &body).as_bytes())?;
-    Ok(summary(manifest, &rows))
+    Ok(summary(manifest, campaign, &rows))
 }
 
-fn summary(manifest: &Manifest, rows: &Rows) -> String {
+fn summary(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> String {
     let mut text = format!("{} rows of {} cases", rows.count, manifest.cases);
-    if let Some((row, value)) = best_of(manifest, rows, 0..rows.count) {
+    if let Some(platform) = &campaign.platform {
+        text += &dampers::told(campaign, platform, rows);
+    } else if let Some((row, value)) = best_of(manifest, rows, 0..rows.count) {
         let of: Vec<String> = manifest.axes.iter().map(|a| format!("{a} {}", rows.word(a, row))).collect();
         let design = rows.word("design", row);
         text += &format!(
@@ -76,13 +83,6 @@ fn summary(manifest: &Manifest, rows: &Rows) -> String {
         );
     }
     text
-}
-
-/// As many rows of a table as are told, and what is said of the others.
-fn cut<T>(mut list: Vec<T>) -> (Vec<T>, Markup) {
-    let more = list.len().saturating_sub(TOLD);
-    list.truncate(TOLD);
-    (list, html! { @if more > 0 { p class="soft" { "… and " (more) " more, in the tables of the campaign." } } })
 }
 
 /// What rows are compared by: the first two of what varies, and the types.
@@ -101,7 +101,10 @@ fn best_of(manifest: &Manifest, rows: &Rows, among: impl Iterator<Item = usize>)
 fn asked(manifest: &Manifest, campaign: &Campaign, dataset: &Dataset) -> Markup {
     let done = manifest.shards - dataset.missing().len();
     html! {
-        p { "What does " b { (campaign.each.name()) } " give for " (manifest.cases) " cases"
+        p { @match &campaign.platform {
+                Some(platform) => { "Which dampers serve " @for (i, axis) in platform.axes().enumerate() { @if i > 0 { ", each at " } (axis.variants.len()) " of " b { (axis.name) } } " in " (manifest.cases) " cases" }
+                None => { "What does " b { (campaign.each.name()) } " give for " (manifest.cases) " cases" }
+            }
             @for axis in &campaign.axes { ", " (axis.variants.len()) " of " b { (axis.name) } }
             @if let Some(sample) = &campaign.sample { ", " (sample.count().unwrap_or_default()) " points of " b { (sample.keys.iter().map(|k| k.name.as_str()).collect::<Vec<_>>().join(", ")) } }
             "?" }
@@ -324,6 +327,7 @@ fn data(manifest: &Manifest, rows: &Rows) -> serde_json::Value {
     let columns: serde_json::Map<String, serde_json::Value> = numbers.collect();
     let designs: Vec<String> = chosen().map(|r| rows.word("design", r)).collect();
     // what is sampled says more across than a few values
-    let across = manifest.axes.iter().rev().map(|a| heading(a)).find(|name| columns.contains_key(name));
+    let named = manifest.axes.iter().rev().map(String::as_str).chain([DAMPERS]);
+    let across = named.map(heading).find(|name| columns.contains_key(name));
     serde_json::json!({ "columns": columns, "design": designs, "rows": rows.count, "across": across, "up": heading(&manifest.objective) })
 }

@@ -70,7 +70,7 @@ fn tuned(study: &Study, space: Space, (finders, load_cases): (&[PeakFinder], &[L
     let problem = Problem { load_cases, space, objectives: &objectives, weights: &[], limits: &limits, memory: None };
     let found = search::optimise(&problem, &starts, Finish::Distinct, &|| {})?;
     let mut cases = load_cases.to_vec();
-    cases.push(LoadCase { condition: Condition::InOperation, cylinder: None, finder: &finders[0], deviation: None });
+    cases.push(LoadCase::new(Condition::InOperation, &finders[0]));
     let both = Problem { load_cases: &cases, space: problem.space.clone(), ..problem };
     let seed = study.optimise.as_ref().map_or(SEED, |o| o.seed);
     let found = if is_worse_in_operation(&both, &found)? { search_in_operation(&both, &found, seed, &|| {})? } else { found };

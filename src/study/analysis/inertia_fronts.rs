@@ -30,7 +30,7 @@ impl<'a> Searches<'a> {
     pub(super) fn load_cases_of(&self, spec: &OptimiseSpec, space: &Space) -> Vec<LoadCase<'a>> {
         let middle: Vec<f64> = space.bounds().iter().map(|b| 0.5 * (b.0 + b.1)).collect();
         let judged = (spec.in_operation || !self.limits.is_empty()) && !Condition::InOperation.changes_nothing(&space.design(&middle));
-        let operation = LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None };
+        let operation = LoadCase::new(Condition::InOperation, &self.finders[0]);
         self.load_cases.iter().cloned().chain(judged.then_some(operation)).collect()
     }
 

@@ -1,6 +1,7 @@
 //! What designs that no start comes from say of an optimum: elsewhere, over the whole box, near it, and in operation; and the conflict of limits that none holds.
 
 use super::search_in_operation::{conflict_in_operation, is_worse_in_operation, search_in_operation};
+use crate::numerics::elementary::Elementary;
 use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
@@ -22,14 +23,19 @@ impl LookedOver {
     }
 }
 
-/// Holds an optimum against designs that no start comes from, and keeps what is better, with designs tuned to some frequencies (rad/s); where it breaks a limit, looks for what does not.
+/// Frequencies to which designs elsewhere are tuned.
+const SCANNED: usize = 24;
+
+/// Holds an optimum against designs that no start comes from, and keeps what is better, with designs tuned to frequencies in equal ratios between those that the torque excites (rad/s); where it breaks a limit, looks for what does not.
 pub(super) fn looked_over(
     problem: &Problem,
     optimum: &mut Optimum,
-    (starts, frequencies): (&[NamedPoint], &[f64]),
+    (starts, excited): (&[NamedPoint], Option<(f64, f64)>),
     seed: u64,
 ) -> Result<LookedOver, ResponseError> {
-    let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, frequencies);
+    let between = |(low, high): (f64, f64)| (0..SCANNED).map(|i| low * (high / low).power(i as f64 / (SCANNED - 1) as f64)).collect();
+    let frequencies: Vec<f64> = excited.map_or_else(Vec::new, between);
+    let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &frequencies);
     let scan = verification_scan::scan(problem, optimum, &lines);
     let survey = surveyed(problem, optimum, seed);
     let nearby = verification_scan::nearby(problem, optimum, seed);

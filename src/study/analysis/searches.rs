@@ -11,7 +11,6 @@ use super::{Progress, RunError};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Deviation, Mounted};
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, ProveSpec, Study};
-use crate::numerics::elementary::Elementary;
 use crate::objective::{Condition, Limit, Measure, Over, PeakFinder};
 use crate::optimise;
 use crate::optimise::minimax;
@@ -25,8 +24,6 @@ use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Frequencies to which designs elsewhere are tuned.
-const SCANNED: usize = 24;
 /// Second order means something where first order holds this well.
 const FIRST_ORDER: f64 = 1e-4;
 /// Random points that tables screen for a start.
@@ -134,13 +131,11 @@ impl<'a> Searches<'a> {
         self.study.designs.iter().filter_map(named_point).collect()
     }
 
-    /// Frequencies over the range that the torque excites, equal ratios apart, rad/s.
-    fn frequencies(&self) -> Vec<f64> {
+    /// Lowest and highest frequency that the torque excites over the range, rad/s.
+    pub(super) fn excited(&self) -> Option<(f64, f64)> {
         let orders = &self.finders[0].system.excitation.orders;
         let speeds = &self.study.speeds_rpm;
-        let (Some(first), Some(last)) = (orders.first(), orders.last()) else { return Vec::new() };
-        let (low, high) = (first.omega(speeds[0]), last.omega(speeds[speeds.len() - 1]));
-        (0..SCANNED).map(|i| low * (high / low).power(i as f64 / (SCANNED - 1) as f64)).collect()
+        Some((orders.first()?.omega(speeds[0]), orders.last()?.omega(speeds[speeds.len() - 1])))
     }
 
     /// All optima that the study asks for.
@@ -193,13 +188,13 @@ impl<'a> Searches<'a> {
         let mut looked = {
             let scenarios = robust::scenarios(self.load_cases, &deviations);
             let reference = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
-            looked_over(&reference, &mut optimum, (&all, &self.frequencies()), spec.seed).map_err(failed)?
+            looked_over(&reference, &mut optimum, (&all, self.excited()), spec.seed).map_err(failed)?
         };
         if let Some(tolerances) = within.as_ref().filter(|_| looked.led_elsewhere()) {
             // a design from elsewhere has its own worst deviation
             (deviations, optimum) = robust::settled((&problem, &[]), tolerances, (deviations, optimum), spec.seed).map_err(failed)?;
         }
-        let operation = LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None };
+        let operation = LoadCase::new(Condition::InOperation, &self.finders[0]);
         let is_asked = spec.in_operation || !self.limits.is_empty();
         let held_against = (within.as_ref(), &mut deviations);
         let counts = is_asked
@@ -233,7 +228,7 @@ impl<'a> Searches<'a> {
             RowCase { condition: load_case.condition, cylinder: load_case.cylinder, deviation: load_case.deviation.cloned() }
         };
         let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
-        let firing = LoadCase { condition: Condition::Firing, cylinder: None, finder: &self.finders[0], deviation: None };
+        let firing = LoadCase::new(Condition::Firing, &self.finders[0]);
         let reference = self.comes_to(objective, &[firing], mounted).ok();
         let (prices, on_bounds) = shadow_prices::prices(&problem.space, &optimum.outcome, self.limits.len());
         Ok(OptimumResult {

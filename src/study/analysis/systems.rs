@@ -61,9 +61,7 @@ pub(crate) fn engines_in<'a, 'f>(condition: Condition, finders: &'f [PeakFinder<
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.
 pub(super) fn load_cases<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<LoadCase<'a>> {
-    let load_case =
-        |finder: &'a PeakFinder<'a>| LoadCase { condition, cylinder: finder.system.excitation.units.misfiring(), finder, deviation: None };
-    engines_in(condition, finders).map(load_case).collect()
+    engines_in(condition, finders).map(|finder| LoadCase::new(condition, finder)).collect()
 }
 
 /// Orders whose torques of all throws together cancel while every cylinder fires, and do not with the first one that misfires.

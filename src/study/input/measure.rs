@@ -246,7 +246,7 @@ impl LimitSpec {
             excepted.extend(at(high, self.limit, true));
             excepted.extend(rule.transient.and_then(|most| at(all, self.limit * most, false)));
         }
-        Limit { measure: self.of.measure.clone(), limit: self.limit, excepted }
+        Limit { measure: self.of.measure.clone(), limit: self.limit, excepted, engine: None }
     }
 
     /// Its measure in other ranges of speed.

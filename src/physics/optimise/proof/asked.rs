@@ -76,18 +76,12 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
         if case.condition == Condition::InOperation || !case.condition.has_absorbers() {
             continue;
         }
-        let mut stations: Vec<usize> = own.iter().filter_map(|m| if let Host::Station(s) = m.on { Some(s) } else { None }).collect();
+        let absorbers = case.absorbers_at_few_speeds(&own);
+        let mut stations: Vec<usize> = absorbers.iter().filter_map(|m| if let Host::Station(s) = m.on { Some(s) } else { None }).collect();
         stations.dedup();
-        let mut found = Case {
-            index,
-            finder: case.finder,
-            absorbers: case.absorbers_at_few_speeds(&own),
-            stations,
-            parts: Vec::new(),
-            quantities: Vec::new(),
-        };
+        let mut found = Case { index, finder: case.finder, absorbers, stations, parts: Vec::new(), quantities: Vec::new() };
         for (role, limit) in &asked {
-            for (measure, unit) in limit.parts_in(case.condition).filter(|p| case.asks(p.0) && has_bound(p.0, case.finder)) {
+            for (measure, unit) in case.parts_of(limit).filter(|p| has_bound(p.0, case.finder)) {
                 // what is beyond a limit by rounding holds it
                 let most = unit * if role.is_limit() { 1.0 + HELD } else { target.unwrap_or(f64::INFINITY) };
                 let mut place = |q: &Quantity| {

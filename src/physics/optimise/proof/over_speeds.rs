@@ -26,7 +26,7 @@ pub fn upper_bound(problem: &Problem, optimum: &Outcome, effort: Effort, work: &
         let absorbers = case.absorbers(&design).ok()?;
         for (role, limit) in &asked {
             let most = if role.is_limit() { within } else { value * within };
-            for (measure, unit) in limit.parts_in(case.condition).filter(|part| case.asks(part.0)) {
+            for (measure, unit) in case.parts_of(limit) {
                 if let Over::Property(_) = measure.over {
                     // it has no speeds
                     if role.is_limit() {

@@ -1,7 +1,7 @@
 //! The cases of a campaign by their numbers: which values each has, and which cases a shard has.
 
 use super::points::points;
-use crate::input::campaign::{Campaign, Sample, Variant};
+use crate::input::campaign::{Axis, Campaign, Platform, Sample, Variant};
 use crate::input::{InputError, Study, overrides, read_with};
 use std::ops::Range;
 use std::path::Path;
@@ -13,6 +13,8 @@ pub struct Case {
     pub number: usize,
     /// Index of its value of each axis.
     pub variants: Vec<usize>,
+    /// The same of each axis that a platform covers, of one of its studies; none of the whole platform.
+    pub covered: Vec<usize>,
     /// Of each sampled key.
     pub values: Vec<f64>,
 }
@@ -31,14 +33,12 @@ impl Campaign {
         self.sample.as_ref().and_then(Sample::count).unwrap_or(1)
     }
 
-    /// Indices of the values of the axes of a combination, the last one changing fastest.
-    fn variants(&self, mut combination: usize) -> Vec<usize> {
-        let mut list = vec![0; self.axes.len()];
-        for (own, axis) in list.iter_mut().zip(&self.axes).rev() {
-            *own = combination % axis.variants.len();
-            combination /= axis.variants.len();
-        }
-        list
+    /// The studies of a case: one, or those that its platform covers, engine by engine.
+    #[doc(hidden)]
+    pub fn members(&self, case: &Case) -> Vec<Case> {
+        let axes: Vec<&Axis> = self.platform.iter().flat_map(Platform::axes).collect();
+        let count = self.platform.as_ref().map_or(1, Platform::studies);
+        (0..count).map(|i| Case { covered: values_of(&axes, i), ..case.clone() }).collect()
     }
 
     /// How many combinations of what varies there are.
@@ -56,10 +56,10 @@ impl Campaign {
         while at < range.end {
             let (combination, first) = (at / samples, at % samples);
             let last = (first + range.end - at).min(samples);
-            let variants = self.variants(combination);
+            let variants = values_of(&self.axes.iter().collect::<Vec<_>>(), combination);
             let values = self.sample.as_ref().map_or_else(|| vec![Vec::new(); last - first], |s| points(s, first..last));
             for (i, values) in values.into_iter().enumerate() {
-                list.push(Case { number: at + i, variants: variants.clone(), values });
+                list.push(Case { number: at + i, variants: variants.clone(), covered: Vec::new(), values });
             }
             at += last - first;
         }
@@ -77,11 +77,11 @@ impl Campaign {
         list
     }
 
-    /// The first case of each combination.
+    /// The studies of the first case of each combination.
     #[doc(hidden)]
-    pub fn first_cases(&self) -> impl Iterator<Item = Case> {
+    pub fn first_studies(&self) -> impl Iterator<Item = Case> {
         let samples = self.samples();
-        (0..self.combinations()).flat_map(move |i| self.cases_of(i * samples..i * samples + 1))
+        (0..self.combinations()).flat_map(move |i| self.cases_of(i * samples..i * samples + 1)).flat_map(|case| self.members(&case))
     }
 
     /// Values of the first axis, cases of each, and shards of these of at most so many cases.
@@ -111,17 +111,18 @@ impl Campaign {
     #[doc(hidden)]
     pub fn expanded(&self) -> String {
         let axes =
-            self.axes.iter().map(|a| format!("{}: {}", a.name, a.variants.iter().map(|v| v.label.as_str()).collect::<Vec<_>>().join(", ")));
+            self.all_axes().map(|a| format!("{}: {}", a.name, a.variants.iter().map(|v| v.label.as_str()).collect::<Vec<_>>().join(", ")));
         let keys = self.sample.iter().flat_map(|s| &s.keys).map(|k| k.key.clone());
         axes.chain(keys).chain([self.samples().to_string()]).collect::<Vec<_>>().join("; ")
     }
 
     fn chosen<'c>(&'c self, case: &Case) -> impl Iterator<Item = &'c Variant> {
-        let own: Vec<&Variant> = self.axes.iter().zip(&case.variants).map(|(axis, i)| &axis.variants[*i]).collect();
+        let own: Vec<&Variant> =
+            self.all_axes().zip(case.variants.iter().chain(&case.covered)).map(|(axis, i)| &axis.variants[*i]).collect();
         own.into_iter()
     }
 
-    /// Labels of the values of the axes of a case.
+    /// Labels of the values of the axes of a case, then of what it is of those that a platform covers.
     #[doc(hidden)]
     pub fn labels(&self, case: &Case) -> Vec<&str> {
         self.chosen(case).map(|v| v.label.as_str()).collect()
@@ -148,6 +149,16 @@ impl Campaign {
     pub fn study_of_case(&self, case: &Case) -> Result<Study, InputError> {
         read_with(self.study_of(case), &overrides(&self.set_of(case))?)
     }
+}
+
+/// Indices of the values of some axes of a combination, the last one changing fastest.
+fn values_of(axes: &[&Axis], mut combination: usize) -> Vec<usize> {
+    let mut list = vec![0; axes.len()];
+    for (own, axis) in list.iter_mut().zip(axes).rev() {
+        *own = combination % axis.variants.len();
+        combination /= axis.variants.len();
+    }
+    list
 }
 
 /// A number as it stands in a file: a whole one is one, which keys of any number take.

@@ -74,6 +74,18 @@ pub(super) fn bound_of(o: &MeasureSpec) -> String {
     format!("lower_bound_of_{}", o.column)
 }
 
+/// How many dampers serve the engines of a platform, and the largest ratio of an objective to its target then.
+#[doc(hidden)]
+pub const DAMPERS: &str = "dampers";
+/// See [`DAMPERS`].
+#[doc(hidden)]
+pub const WORST_RATIO: &str = "worst_ratio";
+
+/// The column of what an objective counts as one at.
+pub(super) fn target_of(o: &MeasureSpec) -> String {
+    format!("target_of_{}", o.column)
+}
+
 /// Objectives whose values are told.
 pub(super) fn objectives(study: &Study) -> Vec<&MeasureSpec> {
     study.objectives().chain(study.combined.iter().map(|c| &c.spec)).collect()
@@ -83,11 +95,21 @@ pub(super) fn objectives(study: &Study) -> Vec<&MeasureSpec> {
 fn of_study(study: &Study, each: Each) -> Vec<Column> {
     use CellKind::{Count, Number, Text, Truth};
     let mut list = vec![column("design", Text), column("types", Text)];
-    if each == Each::Optimise {
-        list.push(column("objective", Text));
+    match each {
+        Each::Optimise => list.push(column("objective", Text)),
+        Each::Platform => list.extend([
+            column(DAMPERS, Count),
+            column("damper", Count),
+            column(WORST_RATIO, Number),
+            column("lower_bound_of_worst_ratio", Number),
+            column("ratio", Number),
+            column(target_of(&study.objective), Number),
+        ]),
+        Each::Evaluate | Each::Front | Each::Robust => {}
     }
     list.push(column("limits_hold", Truth));
-    list.extend(objectives(study).iter().map(|o| column(o.column.clone(), Number)));
+    let told = if each == Each::Platform { vec![&study.objective] } else { objectives(study) };
+    list.extend(told.iter().map(|o| column(o.column.clone(), Number)));
     list.extend((0..study.limits.len()).map(|i| column(of_limit(study, i), Number)));
     if each == Each::Optimise && study.robust.as_ref().is_some_and(|r| r.search) {
         list.push(column(at_worst(&study.objective.column), Number));
@@ -120,6 +142,14 @@ fn of_study(study: &Study, each: Each) -> Vec<Column> {
             list.extend(objectives(study).iter().map(|o| column(bound_of(o), Number)));
         }
         Each::Front => list.extend([column("point", Count), column("dominated", Truth), column("kkt_residual", Number)]),
+        Each::Platform => {
+            list.extend([
+                column("converged", Truth),
+                column("kkt_residual", Number),
+                column("starts_agreeing", Count),
+                column("proof", Text),
+            ]);
+        }
         Each::Evaluate | Each::Robust => {}
     }
     list
@@ -130,7 +160,7 @@ fn of_study(study: &Study, each: Each) -> Vec<Column> {
 pub fn columns<'s>(campaign: &Campaign, studies: impl Iterator<Item = &'s Study>) -> Vec<Column> {
     let mut list = vec![column("case", CellKind::Count)];
     let axis = |numeric: bool| if numeric { CellKind::Number } else { CellKind::Text };
-    list.extend(campaign.axes.iter().map(|a| column(a.name.clone(), axis(a.numeric))));
+    list.extend(campaign.all_axes().map(|a| column(a.name.clone(), axis(a.numeric))));
     list.extend(campaign.sample.iter().flat_map(|s| &s.keys).map(|k| column(k.name.clone(), CellKind::Number)));
     list.extend([column("status", CellKind::Text), column("reason", CellKind::Text)]);
     let inputs = list.len();
@@ -146,11 +176,20 @@ pub fn columns<'s>(campaign: &Campaign, studies: impl Iterator<Item = &'s Study>
     list
 }
 
-/// Where results of a name are: in its own column, in another one where a case is given what has that name, or, of a single absorber, in that of the first of several.
+/// The column that rows are compared by, and whether the largest is best.
 #[doc(hidden)]
-pub fn index_of(campaign: &Campaign, columns: &[Column], name: &str) -> Option<usize> {
+pub fn compared_by(campaign: &Campaign, columns: &[Column], objective: &MeasureSpec) -> (String, bool) {
+    let (name, larger) = match campaign.platform {
+        Some(_) => (WORST_RATIO, false),
+        None => (objective.column.as_str(), objective.unit.is_inverse()),
+    };
+    (index_of(campaign, columns, name).map(|i| columns[i].name.clone()).unwrap_or_default(), larger)
+}
+
+/// Where results of a name are: in its own column, in another one where a case is given what has that name, or, of a single absorber, in that of the first of several.
+pub(super) fn index_of(campaign: &Campaign, columns: &[Column], name: &str) -> Option<usize> {
     // the case and what it is given, status and reason
-    let inputs = 3 + campaign.axes.len() + campaign.sample.as_ref().map_or(0, |s| s.keys.len());
+    let inputs = 3 + campaign.all_axes().count() + campaign.sample.as_ref().map_or(0, |s| s.keys.len());
     let at = |name: &str| columns.iter().skip(inputs).position(|c| c.name == name).map(|i| inputs + i);
     at(name).or_else(|| at(&found(name))).or_else(|| at(&of_parameter(name, 0, 2)))
 }

@@ -64,15 +64,17 @@ pub struct Row {
     pub(super) minimised: f64,
     /// Whether it is exact.
     pub(super) exact: bool,
+    /// Which of the studies of a platform it is of.
+    pub(super) covered: Vec<usize>,
 }
 
 impl Row {
     /// Of a case without a result.
     pub fn without(status: Status, reason: String) -> Self {
-        Self { status, reason, cells: Vec::new(), minimised: f64::NAN, exact: true }
+        Self { status, reason, cells: Vec::new(), minimised: f64::NAN, exact: true, covered: Vec::new() }
     }
 
-    fn of(name: &str, design: &[Mounted]) -> Self {
+    pub(super) fn of(name: &str, design: &[Mounted]) -> Self {
         let types: Vec<&str> = design.iter().map(|m| m.absorber.type_name()).collect();
         let types = if types.is_empty() { "none".to_owned() } else { types.join("+") };
         let mut row = Self::without(Status::Ok, String::new());
@@ -87,17 +89,17 @@ impl Row {
         row
     }
 
-    fn put(&mut self, name: impl Into<String>, cell: Cell) {
+    pub(super) fn put(&mut self, name: impl Into<String>, cell: Cell) {
         self.cells.push((name.into(), cell));
     }
 
-    fn status(&mut self, status: Status, reason: impl Into<String>) {
+    pub(super) fn status(&mut self, status: Status, reason: impl Into<String>) {
         if self.status == Status::Ok {
             (self.status, self.reason) = (status, reason.into());
         }
     }
 
-    fn limits(&mut self, study: &Study, over: &[f64], hold: bool) {
+    pub(super) fn limits(&mut self, study: &Study, over: &[f64], hold: bool) {
         self.put("limits_hold", Cell::Truth(hold));
         for (i, value) in over.iter().enumerate() {
             self.put(of_limit(study, i), Cell::of(Some(*value)));
@@ -110,15 +112,15 @@ impl Row {
 }
 
 /// Objectives and limits of a design at the worst of the conditions that it is judged in.
-struct Values {
-    objectives: Vec<f64>,
-    limits: Vec<f64>,
-    exact: bool,
+pub(super) struct Values {
+    pub objectives: Vec<f64>,
+    pub limits: Vec<f64>,
+    pub exact: bool,
 }
 
 /// Load cases that a design is judged in.
 fn judged_in<'a>(searches: &Searches<'a>, design: &[Mounted]) -> Vec<LoadCase<'a>> {
-    let operation = LoadCase { condition: Condition::InOperation, cylinder: None, finder: &searches.finders[0], deviation: None };
+    let operation = LoadCase::new(Condition::InOperation, &searches.finders[0]);
     let operates = !Condition::InOperation.changes_nothing(design);
     searches.load_cases.iter().copied().chain(operates.then_some(operation)).collect()
 }
@@ -132,7 +134,7 @@ pub(super) enum By {
     Tables,
 }
 
-fn values(searches: &Searches, design: &[Mounted], by: By) -> Result<Values, ResponseError> {
+pub(super) fn values(searches: &Searches, design: &[Mounted], by: By) -> Result<Values, ResponseError> {
     let cases = judged_in(searches, design);
     let mut work = Work::default();
     let mut of_objective = |measure: &Measure| match by {
@@ -297,6 +299,11 @@ pub(super) fn as_asked(study: &Study, each: Each) -> Study {
         Each::Optimise => (study.front, study.robust) = (None, study.robust.filter(|r| r.search)),
         Each::Front => study.robust = None,
         Each::Robust => study.front = None,
+        // the first objective is asked for
+        Each::Platform => {
+            (study.front, study.robust, study.combined) = (None, None, None);
+            study.more_objectives.clear();
+        }
     }
     let needs_margin = study.measures().any(|m| matches!(m.measure.over, Over::Margin(_)));
     if !needs_margin {
@@ -332,5 +339,7 @@ pub(super) fn rows(study: &Study, each: Each) -> Result<Vec<Row>, RunError> {
             }
             within_tolerances(searches, &designs)
         }
+        // of several studies
+        Each::Platform => Ok(Vec::new()),
     })
 }

@@ -2,12 +2,13 @@
 
 use super::cases::Case;
 use super::columns::{Cell, Column, index_of};
+use super::platform;
 use super::rows::{By, Row, Status, as_asked, evaluated, rows};
 use super::setup::with_searches;
 use crate::absorber::mounted::with_law;
 use crate::absorber::types;
 use crate::analysis::searches::Searches;
-use crate::input::campaign::{Campaign, Each};
+use crate::input::campaign::{Axis, Campaign, Each};
 use crate::input::{DesignSpec, InputError, Study};
 use std::ops::Range;
 
@@ -67,11 +68,18 @@ fn refused(error: &InputError) -> Row {
 
 /// A case by itself.
 fn alone(campaign: &Campaign, case: &Case) -> Vec<Row> {
-    let study = match campaign.study_of_case(case) {
-        Ok(study) => study,
-        Err(error) => return vec![refused(&error)],
+    let (members, mut studies) = (campaign.members(case), Vec::new());
+    for member in &members {
+        match campaign.study_of_case(member) {
+            Ok(study) => studies.push(study),
+            Err(error) => return vec![Row { covered: member.covered.clone(), ..refused(&error) }],
+        }
+    }
+    let found = match &campaign.platform {
+        Some(platform) => platform::rows(platform, (&members, &studies)),
+        None => rows(&studies[0], campaign.each),
     };
-    match rows(&study, campaign.each) {
+    match found {
         Ok(rows) if rows.is_empty() => vec![Row::without(Status::Refused, "the study has nothing of what is asked".into())],
         Ok(rows) => rows,
         Err(error) => vec![Row::without(Status::Unbounded, error.to_string())],
@@ -163,10 +171,12 @@ pub fn run_cases(campaign: &Campaign, columns: &[Column], range: Range<usize>, c
 /// The cells of a row.
 fn cells(campaign: &Campaign, columns: &[Column], case: &Case, row: Row) -> Vec<Cell> {
     let mut cells = vec![Cell::Empty; columns.len()];
-    let labels = campaign.axes.iter().zip(campaign.labels(case)).map(|(axis, label)| match label.parse() {
-        Ok(number) if axis.numeric => Cell::Number(number),
-        _ => Cell::Text(label.to_owned()),
-    });
+    let own = Case { covered: row.covered, ..case.clone() };
+    let label = |(i, axis): (usize, &Axis)| match campaign.labels(&own).get(i) {
+        Some(label) => label.parse().ok().filter(|_| axis.numeric).map_or_else(|| Cell::Text((*label).to_owned()), Cell::Number),
+        None => Cell::Empty,
+    };
+    let labels = campaign.all_axes().enumerate().map(label);
     let values = case.values.iter().map(|x| Cell::Number(*x));
     let reason = if row.reason.is_empty() { Cell::Empty } else { Cell::Text(row.reason) };
     let own = std::iter::once(Cell::Count(case.number as i64)).chain(labels).chain(values);

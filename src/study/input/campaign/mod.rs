@@ -2,9 +2,10 @@
 
 mod axes;
 mod named;
+mod platform;
 mod read;
 mod sample;
 mod spec;
 
 pub use read::read_campaign;
-pub use spec::{Axis, Campaign, Distribution, Drawing, Each, Sample, Sampled, Variant};
+pub use spec::{Axis, Campaign, Distribution, Drawing, Each, Platform, Sample, Sampled, Variant};

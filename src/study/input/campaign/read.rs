@@ -2,8 +2,9 @@
 
 use super::axes::axis;
 use super::named::{file, whole};
+use super::platform::{not_of_results, platform};
 use super::sample::sample;
-use super::spec::{Axis, Campaign, Each, MOST_CASES, Sample};
+use super::spec::{Axis, Campaign, Each, MOST_CASES, Platform, Sample};
 use crate::input::InputError;
 use crate::input::error::{At, Check, Source};
 use crate::input::kinds::no_table;
@@ -39,10 +40,11 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
         let message = "key `study` is missing in this table";
         check.mistakes.push(check.source.mistake(0..0, message.into(), None));
     }
+    let platform = platform(check, raw, &mut axes);
     if let Some(name) = &raw.partition {
         match axes.iter().position(|a| a.name == *name.get_ref()) {
             Some(i) => axes[..=i].rotate_right(1),
-            None => check.wrong(name, format!("found `{}`, expected the name of a [[vary]]", name.get_ref())),
+            None => check.wrong(name, format!("found `{}`, expected the name of a [[vary]] by which cases differ", name.get_ref())),
         }
     }
     let sample = raw.sample.as_ref().and_then(|s| sample(check, folder, s, &mut names));
@@ -50,13 +52,18 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
         let message = "found nothing that varies, expected a [[vary]] or [sample]";
         check.mistakes.push(check.source.mistake(0..0, message.into(), None));
     }
-    only_once(check, raw, &axes, sample.as_ref());
+    if let (Some(_), Some(raw)) = (&platform, &raw.platform) {
+        not_of_results(check, raw, &names);
+    }
+    let all: Vec<&Axis> = axes.iter().chain(platform.iter().flat_map(Platform::axes)).collect();
+    only_once(check, raw, &all, sample.as_ref());
     let cases_per_shard = raw.cases_per_shard.as_ref().map(|n| whole(check, n, 1, 1_000_000));
     let each = match raw.each {
         RawEach::Evaluate => Each::Evaluate,
         RawEach::Optimise => Each::Optimise,
         RawEach::Front => Each::Front,
         RawEach::Robust => Each::Robust,
+        RawEach::Platform => Each::Platform,
     };
     let tolerance = raw.tolerance.as_ref().map(|t| {
         if each != Each::Evaluate {
@@ -65,7 +72,7 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
         check.within(t, 1e-9..=0.1, "a share from 1e-9 to 0.1")
     });
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let campaign = Campaign { name, path: path.to_path_buf(), study, each, axes, sample, tolerance, cases_per_shard };
+    let campaign = Campaign { name, path: path.to_path_buf(), study, each, axes, sample, platform, tolerance, cases_per_shard };
     if campaign.cases().is_none() {
         let message =
             format!("found more than {MOST_CASES} cases, expected fewer: each value of a [[vary]] is taken with all of the others");
@@ -75,7 +82,7 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
 }
 
 /// A key has one value in a case: it is no key of two axes, or of an axis and the sample.
-fn only_once(check: &mut Check, raw: &RawCampaign, axes: &[Axis], sample: Option<&Sample>) {
+fn only_once(check: &mut Check, raw: &RawCampaign, axes: &[&Axis], sample: Option<&Sample>) {
     let mut known: HashSet<String> = HashSet::new();
     for (axis, own) in axes.iter().map(|a| (a, a.variants.iter().flat_map(|v| &v.set).map(Override::path).collect::<HashSet<_>>())) {
         if let Some(twice) = own.iter().find(|key| known.contains(*key)) {

@@ -14,6 +14,8 @@ pub enum Each {
     Front,
     /// Designs, and optima where there are some, within tolerances.
     Robust,
+    /// The dampers that several engines share.
+    Platform,
 }
 
 impl Each {
@@ -24,6 +26,7 @@ impl Each {
             Self::Optimise => "optimise",
             Self::Front => "front",
             Self::Robust => "robust",
+            Self::Platform => "platform",
         }
     }
 }
@@ -100,6 +103,31 @@ pub struct Sample {
     pub keys: Vec<Sampled>,
 }
 
+/// Engines that share dampers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Platform {
+    /// The engines.
+    pub engines: Axis,
+    /// What the damper of an engine is good for all together.
+    pub loads: Vec<Axis>,
+    /// Objective of each engine that counts as one, as its column shows it; `None`: its own optimum.
+    pub targets: Option<Vec<f64>>,
+    /// Sets of engines whose common damper is sought, at most, besides those that a first assignment takes.
+    pub sets: usize,
+}
+
+impl Platform {
+    /// What it covers.
+    pub fn axes(&self) -> impl Iterator<Item = &Axis> {
+        std::iter::once(&self.engines).chain(&self.loads)
+    }
+
+    /// How many studies it is of.
+    pub fn studies(&self) -> usize {
+        self.axes().map(|a| a.variants.len()).product()
+    }
+}
+
 /// A campaign as checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Campaign {
@@ -115,6 +143,8 @@ pub struct Campaign {
     pub axes: Vec<Axis>,
     /// What is drawn.
     pub sample: Option<Sample>,
+    /// What shares dampers.
+    pub platform: Option<Platform>,
     /// Relative error that objectives of given designs may have; `None`: rounding.
     pub tolerance: Option<f64>,
     /// Where it is given.
@@ -143,5 +173,11 @@ impl Campaign {
         let of_sample = self.sample.as_ref().map_or(Some(1), Sample::count)?;
         let all = self.axes.iter().try_fold(of_sample, |n, axis| n.checked_mul(axis.variants.len()))?;
         Some(all).filter(|n| *n <= MOST_CASES)
+    }
+
+    /// All that varies: what cases differ in, and what the platform of a case covers.
+    #[doc(hidden)]
+    pub fn all_axes(&self) -> impl Iterator<Item = &Axis> {
+        self.axes.iter().chain(self.platform.iter().flat_map(Platform::axes))
     }
 }

@@ -3,6 +3,7 @@
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -11,7 +12,7 @@ pub(crate) struct RawCampaign {
     /// The study, relative to this file; may be left out where the variants of a `[[vary]]` name studies.
     #[schemars(extend("examples" = ["engine/study.toml"]))]
     pub study: Option<At<String>>,
-    /// What is computed of each case: its given designs, its optima, its front, or its designs within tolerances.
+    /// What is computed of each case: its given designs, its optima, its front, its designs within tolerances, or the dampers that several engines share.
     #[schemars(extend("examples" = ["optimise"]))]
     pub each: RawEach,
     /// Name of the `[[vary]]` whose values are the folders of the tables; without it the first one.
@@ -28,6 +29,26 @@ pub(crate) struct RawCampaign {
     pub vary: Vec<At<RawVary>>,
     /// Points that are drawn of further keys, the same for every combination of what varies.
     pub sample: Option<At<RawSample>>,
+    /// Which engines share dampers (`each = "platform"`).
+    pub platform: Option<At<RawPlatform>>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawPlatform {
+    /// Name of the `[[vary]]` whose values are the engines.
+    #[schemars(extend("examples" = ["engine"]))]
+    pub engines: At<String>,
+    /// Names of those whose values the damper of an engine is good for all together, as loads are.
+    #[serde(default)]
+    #[schemars(extend("examples" = [["load_fraction"]]))]
+    pub loads: Vec<At<String>>,
+    /// The objective of each engine, in the unit of its column, that counts as one; without it the least that a damper of the family reaches for its study alone.
+    #[schemars(extend("additionalProperties" = { "type": "number", "exclusiveMinimum": 0, "description": "Target of the engine of this name.", "examples": [0.45] }, "examples" = [{ "six": 0.45, "v10": 0.3 }]))]
+    pub targets: Option<At<BTreeMap<String, At<f64>>>>,
+    /// Sets of engines whose common damper is sought, at most, to tell that no other assignment is better, besides those of a first assignment.
+    #[schemars(extend("minimum" = 0, "maximum" = 1_000_000, "default" = 2000, "examples" = [500]))]
+    pub sets: Option<At<i64>>,
 }
 
 /// What is computed of a case.
@@ -38,6 +59,7 @@ pub(crate) enum RawEach {
     Optimise,
     Front,
     Robust,
+    Platform,
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

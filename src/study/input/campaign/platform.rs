@@ -1,0 +1,82 @@
+//! Engines that share dampers.
+
+use super::named::whole;
+use super::spec::{Axis, Platform};
+use crate::input::error::{At, Check};
+use crate::input::schema::campaign::{RawCampaign, RawEach};
+use crate::optimise::assignment::MOST_PARTIES;
+use std::collections::{BTreeMap, HashSet};
+
+/// Sets of engines whose common damper is sought where a campaign says nothing.
+const SETS: usize = 2000;
+/// Studies of a platform at most.
+const MOST_STUDIES: usize = 256;
+
+/// The platform of a campaign; what it covers is taken from among the axes.
+pub(super) fn platform(check: &mut Check, raw: &RawCampaign, axes: &mut Vec<Axis>) -> Option<Platform> {
+    let own = match (&raw.platform, raw.each) {
+        (Some(own), RawEach::Platform) => own.get_ref(),
+        (Some(own), _) => {
+            check.wrong(own, "found [platform], expected it with `each = \"platform\"` only");
+            return None;
+        }
+        (None, RawEach::Platform) => {
+            let message = "key `platform` is missing in this table";
+            check.mistakes.push(check.source.mistake(
+                0..0,
+                message.into(),
+                Some("it names the [[vary]] whose values are the engines".into()),
+            ));
+            return None;
+        }
+        (None, _) => return None,
+    };
+    let mut take = |check: &mut Check, name: &At<String>| {
+        let found = axes.iter().position(|a| a.name == *name.get_ref()).map(|i| axes.remove(i));
+        if found.is_none() {
+            check.wrong(name, format!("found `{}`, expected the name of another [[vary]]", name.get_ref()));
+        }
+        found
+    };
+    let engines = take(check, &own.engines);
+    let loads: Vec<Axis> = own.loads.iter().filter_map(|name| take(check, name)).collect();
+    let engines = engines?;
+    if engines.variants.len() > MOST_PARTIES {
+        check.wrong(&own.engines, format!("found {} engines, expected at most {MOST_PARTIES}", engines.variants.len()));
+    }
+    let targets = own.targets.as_ref().map(|targets| targets_of(check, targets, &engines));
+    let sets = own.sets.as_ref().map_or(SETS, |n| whole(check, n, 0, 1_000_000));
+    let platform = Platform { engines, loads, targets, sets };
+    if platform.studies() > MOST_STUDIES {
+        check.wrong(&own.engines, format!("found {} engines and loads together, expected at most {MOST_STUDIES}", platform.studies()));
+    }
+    Some(platform)
+}
+
+/// Columns of results by which tables of platforms are read.
+const RESULTS: [&str; 5] = ["dampers", "damper", "ratio", "worst_ratio", "lower_bound_of_worst_ratio"];
+
+/// What varies has no name of these.
+pub(super) fn not_of_results<T>(check: &mut Check, at: &At<T>, names: &HashSet<String>) {
+    for name in RESULTS.iter().filter(|name| names.contains(**name)) {
+        check.wrong(at, format!("found `{name}` as the name of what varies, which the tables of a platform have, expected another name"));
+    }
+}
+
+/// The target of each engine.
+fn targets_of(check: &mut Check, targets: &At<BTreeMap<String, At<f64>>>, engines: &Axis) -> Vec<f64> {
+    let labels = || engines.variants.iter().map(|v| v.label.as_str());
+    for (name, value) in targets.get_ref() {
+        if !labels().any(|label| label == name) {
+            let message =
+                format!("found `{name}`, expected one of the values of `{}`: {}", engines.name, labels().collect::<Vec<_>>().join(", "));
+            check.wrong(value, message);
+        }
+        check.positive(value);
+    }
+    let missing: Vec<&str> = labels().filter(|label| !targets.get_ref().contains_key(*label)).collect();
+    if !missing.is_empty() {
+        check.wrong(targets, format!("found no target of {}, expected one for each of `{}`", missing.join(", "), engines.name));
+    }
+    labels().map(|label| targets.get_ref().get(label).map_or(1.0, |x| *x.get_ref())).collect()
+}

@@ -140,7 +140,7 @@ fn a_case_that_ends_the_program_is_a_row() {
     assert_eq!((all.len(), crashed), (16, vec!["6"]));
 }
 
-/// One digest from one worker, two, reversed shards, GNU parallel, an array of Slurm, and Snakemake, locally and by Slurm: see `tests/schedulers/run`, which sets them up from nothing.
+/// One digest from one worker, two, reversed shards, GNU parallel, an array of Slurm, another one whose slurmd is killed, and Snakemake, locally and by Slurm: see `tests/schedulers/run`, which sets them up from nothing.
 #[test]
 #[ignore = "needs root on Debian: installs and runs Slurm, Snakemake and GNU parallel, six minutes"]
 fn schedulers_make_the_same_tables() {
@@ -149,5 +149,32 @@ fn schedulers_make_the_same_tables() {
     let output = command.arg(script).env("HARTOG", assert_cmd::cargo::cargo_bin("hartog")).output().expect("bash runs");
     let told = said(&output);
     println!("{told}");
-    assert!(output.status.success() && told.matches("digest of the tables").count() == 7, "{told}");
+    assert!(output.status.success() && told.matches("digest of the tables").count() == 8, "{told}");
+}
+
+/// A folder on a disk that is full, and on one that may be read only: both are named, what is done stays, and the tables are the same once there is room.
+#[test]
+#[ignore = "needs root on Linux: mounts small file systems"]
+fn full_and_read_only_disks_are_named() {
+    let mount = |arguments: &[&str], folder: &str| {
+        let done = std::process::Command::new("mount").args(arguments).arg(folder).status().expect("mount runs");
+        assert!(done.success(), "{arguments:?}");
+    };
+    let whole = planned(OPTIMA);
+    assert_eq!(run(whole.path(), &[]).status.code(), Some(0));
+    let place = planned(OPTIMA);
+    let folder = place.path().join("out").display().to_string();
+    let manifest = fs::read(place.path().join("out/manifest.json")).expect("a manifest");
+    mount(&["-t", "tmpfs", "-o", "size=32k", "none"], &folder);
+    fs::write(place.path().join("out/manifest.json"), manifest).expect("written");
+    let full = run(place.path(), &["--workers", "1"]);
+    assert!(full.status.code() == Some(2) && said(&full).contains("no space is left"), "{}", said(&full));
+    mount(&["-o", "remount,ro,size=32k"], &folder);
+    let closed = run(place.path(), &["--workers", "1"]);
+    assert!(closed.status.code() == Some(2) && said(&closed).contains("Read-only file system"), "{}", said(&closed));
+    mount(&["-o", "remount,rw,size=1m"], &folder);
+    let done = run(place.path(), &["--workers", "1"]);
+    let same = files(&place.path().join("out")) == files(&whole.path().join("out"));
+    assert!(std::process::Command::new("umount").arg(&folder).status().expect("umount runs").success());
+    assert!(done.status.code() == Some(0) && same, "{}", said(&done));
 }

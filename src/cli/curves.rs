@@ -26,7 +26,7 @@ pub struct Arguments {
     /// Output folder [default: out/STUDY_curves; of a file called study.toml, after the folder where it is].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Speed of forces and loads; may be given several times [default: that of the largest mean torque and the highest].
+    /// Speed of pressure, forces and loads; may be given several times [default: of pressure the lowest tabulated speed, that of its largest value, and the highest; else that of the largest mean torque and the highest].
     #[arg(long, value_name = "RPM")]
     pub speed: Vec<f64>,
     /// Design that is shown; may be given several times [default: all].

@@ -44,6 +44,17 @@ fn work_of_the_cycle() {
     }
 }
 
+/// Law: at a speed between two of the table the pressure that is shown stands between theirs, linear in speed; at those that are asked for, and no others.
+#[test]
+fn pressure_at_speeds_that_are_asked_for() {
+    let curves = of("villalva_i6", &[1600.0, 2100.0, 2600.0]);
+    let [low, middle, high] = panel(&curves, "cylinder", 0).curves.as_slice() else { panic!("three speeds") };
+    assert_eq!([&low.label, &middle.label, &high.label], ["1600 rpm", "2100 rpm", "2600 rpm"]);
+    for ((a, b), c) in low.points.iter().zip(&middle.points).zip(&high.points) {
+        assert_close(b.1, 0.5 * (a.1 + c.1), 1e-12, 0.0, "halfway");
+    }
+}
+
 /// Law: Holzer's torque behind the last station vanishes, and each link carries its stiffness times its twist. (With branches and gears: `trees.rs`.)
 #[test]
 fn holzer_closes() {

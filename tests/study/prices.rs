@@ -38,11 +38,13 @@ fn prices_of_what_holds_together() {
 #[test]
 fn what_is_asked_costs_what_it_says() {
     let folder = tempfile::tempdir().expect("a folder");
-    let found = |change: (&str, &str)| {
-        let path = variant(folder.path(), "villalva_i6_prices", &[change]);
-        Study::read(&path).unwrap_or_else(|e| panic!("{e}")).run().expect("damped")
+    let found = |change: (&str, &str), prices: bool| {
+        let path = variant(folder.path(), "villalva_i6_prices", &[change, ("step = 20", "step = 50")]);
+        let mut study = Study::read(&path).unwrap_or_else(|e| panic!("{e}"));
+        study.optimise.as_mut().expect("optimises").prices = prices;
+        study.run().expect("damped")
     };
-    let asked = found(("prices = true", "prices = true"));
+    let asked = found(("prices = true", "prices = true"), true);
     let own = asked.optima[0].optimum.value();
     let held = "conditions = [\"firing\", \"cold\", \"hot\"]\nprices = true";
     let limit = "dissipated_power = { max_w = 300 }";
@@ -59,7 +61,7 @@ fn what_is_asked_costs_what_it_says() {
     ];
     for (is_of, change) in changes {
         let price = asked.prices.iter().find(|p| is_of(&p.change)).unwrap_or_else(|| panic!("{change:?}: {:?}", asked.prices));
-        let other = found(change).optima[0].optimum.value();
+        let other = found(change, false).optima[0].optimum.value();
         assert_close(price.changed, other, 1e-6, 0.0, change.1);
         let cost = if price.change == Change::HalfTheRing { other / own - 1.0 } else { own / other - 1.0 };
         assert_close(price.cost().expect("limits hold"), cost, 1e-5, 1e-7, change.1);
@@ -101,7 +103,7 @@ fn costs_are_of_what_is_judged() {
 #[test]
 fn a_limit_that_is_never_reached_costs_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = variant(folder.path(), "villalva_i6_materials", &[("step = 20", "step = 100"), ("order_limit = 12", "order_limit = 6")]);
+    let path = variant(folder.path(), "villalva_i6_materials", &[("step = 20", "step = 200"), ("order_limit = 12", "order_limit = 6")]);
     let text = std::fs::read_to_string(&path).expect("study");
     let text = text
         .replace("conditions = [\"cold\", \"firing\", \"hot\"]", "random_starts = 0\nprices = true")

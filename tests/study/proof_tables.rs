@@ -101,7 +101,7 @@ fn tampered(
 fn proofs_are_confirmed_and_changed_ones_refused() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(54);
     for name in ["villalva_i6", "villalva_v10"] {
-        let s = written(study(name), 1e-4);
+        let s = written(study(name), 1e-3);
         let results = s.run().unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(results.optima.len(), 4, "tuned and viscous, by twist and by margin");
         for o in &results.optima {

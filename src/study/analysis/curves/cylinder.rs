@@ -29,8 +29,13 @@ pub(super) fn degrees(count: usize) -> impl Iterator<Item = f64> + Clone {
     (0..count).map(|j| sample_angle(j * STRIDE) * DEG_PER_RAD)
 }
 
-/// p(theta) and p-V at the tabulated speeds: the lowest, that of the largest pressure, the highest.
-pub(super) fn pressure(study: &Study) -> Option<Figure> {
+/// Pressure over the cycle, of every [`STRIDE`]th sample, at some speeds: those that are asked for, or of the tabulated ones the lowest, that of the largest pressure, and the highest.
+fn traces(study: &Study, speeds_rpm: &[f64]) -> Option<Vec<(f64, Vec<f64>)>> {
+    if !speeds_rpm.is_empty() {
+        let cycle = Cycle::new(&study.engine)?;
+        let own = |speed: &f64| (*speed, cycle.moments(*speed, STRIDE).iter().map(|m| m.pressure).collect());
+        return Some(speeds_rpm.iter().map(own).collect());
+    }
     let (geometry, pressure) = cylinder_of(study)?;
     let cylinders = study.engine.layout.firing_deg.len();
     let traces: Vec<Vec<f64>> = pressure.traces(geometry, study.engine.strokes, cylinders);
@@ -39,12 +44,19 @@ pub(super) fn pressure(study: &Study) -> Option<Figure> {
     let mut chosen = vec![0, largest, traces.len() - 1];
     chosen.sort_unstable();
     chosen.dedup();
+    Some(chosen.into_iter().map(|i| (pressure.speeds_rpm()[i], traces[i].iter().copied().step_by(STRIDE).collect())).collect())
+}
+
+/// p(theta) and p-V.
+pub(super) fn pressure(study: &Study, speeds_rpm: &[f64]) -> Option<Figure> {
+    let (geometry, _) = cylinder_of(study)?;
+    let traces = traces(study, speeds_rpm)?;
     let over = |x: &dyn Fn(usize) -> f64| -> Vec<Curve> {
-        let one = |i: &usize| {
-            let points = traces[*i].iter().enumerate().step_by(STRIDE).map(|(j, p)| (x(j), p / PA_PER_BAR)).collect();
-            Curve { label: format!("{} rpm", pressure.speeds_rpm()[*i]), order: None, points }
+        let one = |(speed, trace): &(f64, Vec<f64>)| {
+            let points = trace.iter().enumerate().map(|(j, p)| (x(j * STRIDE), p / PA_PER_BAR)).collect();
+            Curve { label: format!("{speed} rpm"), order: None, points }
         };
-        chosen.iter().map(one).collect()
+        traces.iter().map(one).collect()
     };
     let swept = |j: usize| geometry.slider_crank.motion(sample_angle(j)).travel * geometry.piston_area() * CM3;
     Some(Figure {

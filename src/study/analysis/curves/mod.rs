@@ -76,7 +76,7 @@ pub fn curves_of(study: &Study, shown: &Shown, progress: &dyn Progress) -> Resul
     let system = study.system(study.excitation());
     let speeds = if speeds_rpm.is_empty() { load_cases(&study, &system) } else { speeds_rpm.clone() };
     progress.stage("curves", speeds.len() + study.designs.len());
-    let mut figures: Vec<Figure> = cylinder::pressure(&study).into_iter().collect();
+    let mut figures: Vec<Figure> = cylinder::pressure(&study, speeds_rpm).into_iter().collect();
     let mut unknowns = Vec::new();
     for speed in &speeds {
         figures.extend(cylinder::forces(&study, *speed));

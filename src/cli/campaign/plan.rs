@@ -7,7 +7,7 @@ use crate::cli::exit::{DONE, fail, say, say_to_error};
 use crate::cli::progress::Bar;
 use crate::input::campaign::{Campaign, Drawing, read_campaign};
 use crate::input::{InputError, InputFile, MeasureSpec, Study, noted};
-use crate::report::campaign::Manifest;
+use crate::report::campaign::{Manifest, counted};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -38,8 +38,23 @@ const SLOW: f64 = 0.5;
 /// After so long no further place is looked at, s.
 const LONG: f64 = 10.0;
 
-/// A combination by its labels, and why it is refused.
-type Refused = (Vec<String>, InputError);
+/// Cases of a platform up to which none is timed.
+const MOST_PLATFORMS: usize = 64;
+
+/// A combination that is refused.
+struct Refused {
+    /// Its labels.
+    labels: Vec<String>,
+    /// Why: what refusals are told apart by, and all of it.
+    reason: String,
+    told: String,
+}
+
+impl Refused {
+    fn of(labels: Vec<&str>, error: &InputError) -> Self {
+        Self { labels: labels.into_iter().map(str::to_owned).collect(), reason: error.mistakes[0].message.clone(), told: error.to_string() }
+    }
+}
 
 /// What reading the first case of every combination has told.
 struct Checked {
@@ -65,15 +80,16 @@ pub(super) fn plan(arguments: &Arguments) -> u8 {
         }
     }
     let Some(objective) = &checked.objective else {
-        let (labels, error) = &checked.refused[0];
+        let Refused { labels, told, .. } = &checked.refused[0];
         let of =
             if labels.is_empty() { "of every case".to_owned() } else { format!("of {} and every other combination", labels.join(", ")) };
-        return fail(&format!("{error}\nso {of}"));
+        return fail(&format!("{told}\nso {of}"));
     };
     let refused = told(&checked);
-    let seconds = seconds_per_case(&campaign, &checked.columns);
     let cases = campaign.cases().unwrap_or_default();
-    let per_shard = campaign.cases_per_shard.unwrap_or_else(|| cases_per_shard(cases, seconds));
+    // a case of a platform is a search of many optima: a few of them are run sooner than timed
+    let seconds = (campaign.platform.is_none() || cases > MOST_PLATFORMS).then(|| seconds_per_case(&campaign, &checked.columns));
+    let per_shard = campaign.cases_per_shard.unwrap_or_else(|| seconds.map_or(1, |seconds| cases_per_shard(cases, seconds).min(cases)));
     let manifest = Manifest::new(&campaign, &inputs, (checked.columns, objective), (per_shard, seconds));
     if let Err(error) = manifest.write(&arguments.out) {
         return fail(&error);
@@ -83,14 +99,19 @@ pub(super) fn plan(arguments: &Arguments) -> u8 {
     }
     let folder = arguments.out.display();
     say(&format!(
-        "{}: {cases} cases, {}\n  {}\n  {} files read; {} a case: {} in {} shards of {per_shard} cases\nwritten to {folder}: `hartog campaign run {folder}` runs it\n",
+        "{}: {}, {}\n  {}\n  {} read; {}{} of {}\nwritten to {folder}: `hartog campaign run {folder}` runs it\n",
         campaign.name,
+        counted(cases, "case"),
         campaign.each.name(),
         question(&campaign),
-        inputs.len(),
-        duration(seconds),
-        processor_time(manifest.hours(cases)),
-        manifest.shards
+        counted(inputs.len(), "file"),
+        seconds.zip(manifest.hours(cases)).map_or_else(String::new, |(s, hours)| format!(
+            "{} a case: {} in ",
+            duration(s),
+            processor_time(hours)
+        )),
+        counted(manifest.shards, "shard"),
+        counted(per_shard.min(cases), "case")
     ));
     DONE
 }
@@ -102,14 +123,15 @@ const KINDS: usize = 3;
 fn told(checked: &Checked) -> String {
     let mut kinds: Vec<(&str, usize, &Refused)> = Vec::new();
     for own in &checked.refused {
-        let message = own.1.mistakes[0].message.as_str();
+        let message = own.reason.as_str();
         match kinds.iter_mut().find(|k| k.0 == message) {
             Some(known) => known.1 += 1,
             None => kinds.push((message, 1, own)),
         }
     }
-    let one = |(_, count, (labels, error)): &(&str, usize, &Refused)| {
-        format!("warning: {count} of {} combinations are refused, as {}:\n{error}", checked.combinations, labels.join(", "))
+    let one = |(_, count, Refused { labels, told, .. }): &(&str, usize, &Refused)| {
+        let of = if labels.is_empty() { String::new() } else { format!(", as {}", labels.join(", ")) };
+        format!("warning: {count} of {} refused{of}:\n{told}", counted(checked.combinations, "combination"))
     };
     kinds.iter().take(KINDS).map(one).collect::<Vec<_>>().join("\n")
 }
@@ -118,7 +140,7 @@ fn told(checked: &Checked) -> String {
 fn question(campaign: &Campaign) -> String {
     let axes = campaign.axes.iter().map(|a| format!("{} {}", a.variants.len(), a.name));
     let platform = campaign.platform.iter().map(|p| {
-        let axes: Vec<String> = p.axes().map(|a| format!("{} {}", a.variants.len(), a.name)).collect();
+        let axes: Vec<String> = p.axes().map(|a| format!("{} of {}", counted(a.variants.len(), "value"), a.name)).collect();
         let by = if p.targets.is_some() { "targets given" } else { "in units of the optimum of each alone" };
         format!("dampers for {} ({by})", axes.join(" at "))
     });
@@ -131,7 +153,7 @@ fn question(campaign: &Campaign) -> String {
             (Drawing::Rows(_), _) => "table",
         };
         let keys: Vec<&str> = s.keys.iter().map(|k| k.name.as_str()).collect();
-        format!("{} points of {} ({by})", s.count().unwrap_or_default(), keys.join(", "))
+        format!("{} of {} ({by})", counted(s.count().unwrap_or_default(), "point"), keys.join(", "))
     });
     axes.chain(platform).chain(sample).collect::<Vec<_>>().join(" x ")
 }
@@ -151,18 +173,34 @@ fn check(campaign: &Campaign) -> (Checked, Vec<InputFile>) {
     // of studies with the same columns one is enough
     let mut studies: Vec<(Vec<Column>, Study)> = Vec::new();
     let mut combinations = 0;
-    for case in campaign.first_studies() {
+    for case in campaign.first_cases() {
         combinations += 1;
-        let (study, own) = noted(|| campaign.study_of_case(&case));
-        files.extend(own.into_iter().filter(|f| files.iter().all(|known| known.path != f.path)).collect::<Vec<_>>());
-        match study {
-            Ok(study) => {
-                let own = columns(campaign, std::iter::once(&study));
-                if studies.iter().all(|s| s.0 != own) {
-                    studies.push((own, study));
+        let mut own: Vec<Study> = Vec::new();
+        let members = campaign.members(&case);
+        for member in &members {
+            let (study, read) = noted(|| campaign.study_of_case(member));
+            files.extend(read.into_iter().filter(|f| files.iter().all(|known| known.path != f.path)).collect::<Vec<_>>());
+            match study {
+                Ok(study) => own.push(study),
+                Err(error) => {
+                    refused.push(Refused::of(campaign.labels(member), &error));
+                    break;
                 }
             }
-            Err(error) => refused.push((campaign.labels(&case).into_iter().map(str::to_owned).collect(), error)),
+        }
+        if own.len() < members.len() {
+            continue;
+        }
+        if let Some(reason) = campaign.disagreement(&case, &own) {
+            let labels = campaign.labels(&case).into_iter().map(str::to_owned).collect();
+            refused.push(Refused { labels, told: format!("error: {reason}"), reason });
+            continue;
+        }
+        for study in own {
+            let own = columns(campaign, std::iter::once(&study));
+            if studies.iter().all(|s| s.0 != own) {
+                studies.push((own, study));
+            }
         }
     }
     let columns = columns(campaign, studies.iter().map(|s| &s.1));

@@ -51,13 +51,13 @@ pub(super) fn status(arguments: &Arguments) -> u8 {
     } else {
         let torn = if torn > 0 { format!(", {torn} of them because their tables are not as they were written") } else { String::new() };
         say(&format!(
-            "{} of {} shards are done, {} missing{torn}\n{done_cases} of {} cases, {}\n{} left\n",
+            "{} of {} shards are done, {} missing{torn}\n{done_cases} of {} cases, {}\n{}",
             manifest.shards - missing.len(),
             manifest.shards,
             missing.len(),
             manifest.cases,
             rows(&dataset),
-            processor_time(left)
+            left.map_or_else(String::new, |left| format!("{} left\n", processor_time(left)))
         ));
     }
     if missing.is_empty() { DONE } else { MISSING }

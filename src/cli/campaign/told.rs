@@ -1,6 +1,6 @@
 //! What the commands of a campaign tell.
 
-use crate::report::campaign::Dataset;
+use crate::report::campaign::{Dataset, counted};
 
 /// Exit code: shards are missing.
 pub(super) const MISSING: u8 = 3;
@@ -19,5 +19,5 @@ pub(super) fn rows(dataset: &Dataset) -> String {
     let counts = dataset.counts();
     let all: usize = counts.iter().map(|c| c.1).sum();
     let told: Vec<String> = counts.iter().filter(|c| c.1 > 0).map(|(s, n)| format!("{n} {}", s.word().replace('_', " "))).collect();
-    if told.is_empty() { "no rows".to_owned() } else { format!("{all} rows: {}", told.join(", ")) }
+    if told.is_empty() { "no rows".to_owned() } else { format!("{}: {}", counted(all, "row"), told.join(", ")) }
 }

@@ -1,7 +1,7 @@
 //! A condition of the engine in which a design is held: its absorbers there, and what they come to.
 
 use super::variables::Space;
-use crate::absorber::{Deviation, Host, Mounted};
+use crate::absorber::{Absorber, Deviation, Host, Law, Material, Mounted, WithMaterial};
 use crate::objective::Shared;
 use crate::objective::condition::Condition;
 use crate::objective::in_operation;
@@ -9,6 +9,7 @@ use crate::objective::measure::{Limit, Measure, Over};
 use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// One of several engines that share a design.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +18,20 @@ pub struct Engine<'a> {
     pub index: usize,
     /// What carries each absorber there.
     pub hosts: &'a [Host],
+    /// The material of each, with the temperatures of this engine.
+    pub materials: &'a [Arc<Material>],
+}
+
+impl Engine<'_> {
+    /// A design in its place on this engine, at its temperatures.
+    #[doc(hidden)]
+    pub fn mounted(&self, design: &[Mounted]) -> Vec<Mounted> {
+        let one = |((m, host), material): ((&Mounted, &Host), &Arc<Material>)| {
+            let own = |law: &Arc<dyn Law>| Absorber::Ring(WithMaterial::of((law.declaration().build)(&law.values()), material));
+            Mounted { on: *host, absorber: m.absorber.law().map_or_else(|| m.absorber.clone(), own), ..m.clone() }
+        };
+        design.iter().zip(self.hosts).zip(self.materials).map(one).collect()
+    }
 }
 
 /// One condition of the engine: what is asked of a design is asked in each.
@@ -43,7 +58,7 @@ impl<'a> LoadCase<'a> {
     /// A design in its place on this engine.
     fn mounted<'d>(&self, design: &'d [Mounted]) -> Cow<'d, [Mounted]> {
         let Some(engine) = self.engine else { return Cow::Borrowed(design) };
-        Cow::Owned(design.iter().zip(engine.hosts).map(|(m, host)| Mounted { on: *host, ..m.clone() }).collect())
+        Cow::Owned(engine.mounted(design))
     }
 
     /// The absorbers of a design as they are here.

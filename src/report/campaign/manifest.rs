@@ -36,8 +36,8 @@ pub struct Manifest {
     pub shards: usize,
     /// CRC-32 of what its file expands to.
     pub expanded: String,
-    /// Mean time of a case on one thread, s: of some cases, where it was planned.
-    pub seconds_per_case: f64,
+    /// Mean time of a case on one thread, s: of some cases, where it was planned; `None` where none was timed.
+    pub seconds_per_case: Option<f64>,
     /// Columns of the tables.
     pub columns: Vec<Column>,
     /// The column of the first objective.
@@ -57,7 +57,7 @@ impl Manifest {
         campaign: &Campaign,
         inputs: &[InputFile],
         (columns, objective): (Vec<Column>, &MeasureSpec),
-        (cases_per_shard, seconds_per_case): (usize, f64),
+        (cases_per_shard, seconds_per_case): (usize, Option<f64>),
     ) -> Self {
         let inputs: Vec<InputFile> =
             inputs.iter().map(|f| InputFile { path: f.path.canonicalize().unwrap_or_else(|_| f.path.clone()), ..f.clone() }).collect();
@@ -97,9 +97,9 @@ impl Manifest {
         format!("{:08x}", crc32fast::hash(text.join("\n").as_bytes()))
     }
 
-    /// Time of some cases on one thread, hours.
-    pub fn hours(&self, cases: usize) -> f64 {
-        self.seconds_per_case * cases as f64 / 3600.0
+    /// Time of some cases on one thread, hours; `None` where none was timed.
+    pub fn hours(&self, cases: usize) -> Option<f64> {
+        self.seconds_per_case.map(|seconds| seconds * cases as f64 / 3600.0)
     }
 
     /// Writes it into a folder.

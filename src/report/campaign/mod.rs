@@ -2,6 +2,7 @@
 //!
 //! A shard is a function of the manifest, the inputs that it lists and its number to bytes; its receipt is written after its table. Whatever is killed, repeated or done in another order leaves the same files.
 
+mod counted;
 mod cut;
 mod dampers;
 mod dataset;
@@ -13,6 +14,7 @@ mod shard;
 mod tables;
 mod whole_file;
 
+pub use counted::counted;
 pub use dataset::{Dataset, State};
 pub use error::CampaignError;
 pub use export::{Scheduler, export};

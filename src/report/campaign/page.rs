@@ -1,5 +1,6 @@
 //! `campaign.html`: what was asked, what came of it, the best, the yield, and what depends on what.
 
+use super::counted::counted;
 use super::cut::cut;
 use super::dampers::{self, dampers};
 use super::dataset::Dataset;
@@ -68,7 +69,7 @@ pub fn write_page(folder: &Path, manifest: &Manifest, campaign: &Campaign, datas
 }
 
 fn summary(manifest: &Manifest, campaign: &Campaign, rows: &Rows) -> String {
-    let mut text = format!("{} rows of {} cases", rows.count, manifest.cases);
+    let mut text = format!("{} of {}", counted(rows.count, "row"), counted(manifest.cases, "case"));
     if let Some(platform) = &campaign.platform {
         text += &dampers::told(campaign, platform, rows);
     } else if let Some((row, value)) = best_of(manifest, rows, 0..rows.count) {
@@ -102,8 +103,8 @@ fn asked(manifest: &Manifest, campaign: &Campaign, dataset: &Dataset) -> Markup 
     let done = manifest.shards - dataset.missing().len();
     html! {
         p { @match &campaign.platform {
-                Some(platform) => { "Which dampers serve " @for (i, axis) in platform.axes().enumerate() { @if i > 0 { ", each at " } (axis.variants.len()) " of " b { (axis.name) } } " in " (manifest.cases) " cases" }
-                None => { "What does " b { (campaign.each.name()) } " give for " (manifest.cases) " cases" }
+                Some(platform) => { "Which dampers serve " @for (i, axis) in platform.axes().enumerate() { @if i > 0 { ", each at " } (axis.variants.len()) " of " b { (axis.name) } } " in " (counted(manifest.cases, "case")) }
+                None => { "What does " b { (campaign.each.name()) } " give for " (counted(manifest.cases, "case")) }
             }
             @for axis in &campaign.axes { ", " (axis.variants.len()) " of " b { (axis.name) } }
             @if let Some(sample) = &campaign.sample { ", " (sample.count().unwrap_or_default()) " points of " b { (sample.keys.iter().map(|k| k.name.as_str()).collect::<Vec<_>>().join(", ")) } }

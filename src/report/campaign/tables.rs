@@ -90,7 +90,7 @@ impl Rows {
     }
 
     /// The same with all digits of numbers.
-    fn exact(&self, name: &str, row: usize) -> String {
+    pub fn exact(&self, name: &str, row: usize) -> String {
         self.numbers(name).and_then(|all| all.get(row)).filter(|x| x.is_finite()).map_or_else(|| self.word(name, row), |x| format!("{x}"))
     }
 

@@ -77,11 +77,11 @@ impl Campaign {
         list
     }
 
-    /// The studies of the first case of each combination.
+    /// The first case of each combination.
     #[doc(hidden)]
-    pub fn first_studies(&self) -> impl Iterator<Item = Case> {
+    pub fn first_cases(&self) -> impl Iterator<Item = Case> {
         let samples = self.samples();
-        (0..self.combinations()).flat_map(move |i| self.cases_of(i * samples..i * samples + 1)).flat_map(|case| self.members(&case))
+        (0..self.combinations()).flat_map(move |i| self.cases_of(i * samples..i * samples + 1))
     }
 
     /// Values of the first axis, cases of each, and shards of these of at most so many cases.

@@ -72,11 +72,20 @@ fn alone(campaign: &Campaign, case: &Case) -> Vec<Row> {
     for member in &members {
         match campaign.study_of_case(member) {
             Ok(study) => studies.push(study),
-            Err(error) => return vec![Row { covered: member.covered.clone(), ..refused(&error) }],
+            Err(error) => {
+                let mut row = Row { covered: member.covered.clone(), ..refused(&error) };
+                if campaign.platform.is_some() {
+                    row.reason = format!("{}: {}", campaign.study_name(member), row.reason);
+                }
+                return vec![row];
+            }
         }
     }
     let found = match &campaign.platform {
-        Some(platform) => platform::rows(platform, (&members, &studies)),
+        Some(own) => {
+            let names = members.iter().map(|m| campaign.study_name(m)).collect();
+            platform::rows(own, &platform::Named { members: &members, names, studies: &studies })
+        }
         None => rows(&studies[0], campaign.each),
     };
     match found {

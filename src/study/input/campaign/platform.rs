@@ -57,26 +57,35 @@ pub(super) fn platform(check: &mut Check, raw: &RawCampaign, axes: &mut Vec<Axis
 const RESULTS: [&str; 5] = ["dampers", "damper", "ratio", "worst_ratio", "lower_bound_of_worst_ratio"];
 
 /// What varies has no name of these.
-pub(super) fn not_of_results<T>(check: &mut Check, at: &At<T>, names: &HashSet<String>) {
+pub(super) fn not_of_results(check: &mut Check, raw: &RawCampaign, names: &HashSet<String>) {
     for name in RESULTS.iter().filter(|name| names.contains(**name)) {
-        check.wrong(at, format!("found `{name}` as the name of what varies, which the tables of a platform have, expected another name"));
+        let given = raw.vary.iter().filter_map(|v| v.get_ref().name.as_ref()).find(|n| n.get_ref().eq_ignore_ascii_case(name));
+        let message = format!("found `{name}` as the name of what varies, which the tables of a platform have, expected another name");
+        match (given, &raw.platform) {
+            (Some(given), _) => check.wrong(given, message),
+            (None, Some(platform)) => check.wrong(platform, message),
+            (None, None) => {}
+        }
     }
 }
 
 /// The target of each engine.
 fn targets_of(check: &mut Check, targets: &At<BTreeMap<String, At<f64>>>, engines: &Axis) -> Vec<f64> {
     let labels = || engines.variants.iter().map(|v| v.label.as_str());
+    // 1 and 1.0 are one value of a key
+    let is = |name: &str, label: &str| name == label || engines.numeric && name.parse::<f64>().is_ok_and(|x| label.parse() == Ok(x));
+    let of = |label: &str| targets.get_ref().iter().find(|t| is(t.0, label)).map(|t| t.1);
     for (name, value) in targets.get_ref() {
-        if !labels().any(|label| label == name) {
+        if !labels().any(|label| is(name, label)) {
             let message =
                 format!("found `{name}`, expected one of the values of `{}`: {}", engines.name, labels().collect::<Vec<_>>().join(", "));
             check.wrong(value, message);
         }
         check.positive(value);
     }
-    let missing: Vec<&str> = labels().filter(|label| !targets.get_ref().contains_key(*label)).collect();
+    let missing: Vec<&str> = labels().filter(|label| of(label).is_none()).collect();
     if !missing.is_empty() {
         check.wrong(targets, format!("found no target of {}, expected one for each of `{}`", missing.join(", "), engines.name));
     }
-    labels().map(|label| targets.get_ref().get(label).map_or(1.0, |x| *x.get_ref())).collect()
+    labels().map(|label| of(label).map_or(1.0, |x| *x.get_ref())).collect()
 }

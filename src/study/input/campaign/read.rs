@@ -52,7 +52,7 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
         let message = "found nothing that varies, expected a [[vary]] or [sample]";
         check.mistakes.push(check.source.mistake(0..0, message.into(), None));
     }
-    if let (Some(_), Some(raw)) = (&platform, &raw.platform) {
+    if platform.is_some() {
         not_of_results(check, raw, &names);
     }
     let all: Vec<&Axis> = axes.iter().chain(platform.iter().flat_map(Platform::axes)).collect();

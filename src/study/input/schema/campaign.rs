@@ -43,7 +43,7 @@ pub(crate) struct RawPlatform {
     #[serde(default)]
     #[schemars(extend("examples" = [["load_fraction"]]))]
     pub loads: Vec<At<String>>,
-    /// The objective of each engine, in the unit of its column, that counts as one; without it the least that a damper of the family reaches for its study alone.
+    /// The objective of each engine, in the unit of its column, that counts as one; without it the best that a damper of the family reaches for its study alone.
     #[schemars(extend("additionalProperties" = { "type": "number", "exclusiveMinimum": 0, "description": "Target of the engine of this name.", "examples": [0.45] }, "examples" = [{ "six": 0.45, "v10": 0.3 }]))]
     pub targets: Option<At<BTreeMap<String, At<f64>>>>,
     /// Sets of engines whose common damper is sought, at most, to tell that no other assignment is better, besides those of a first assignment.

@@ -4,6 +4,7 @@
 mod answer_screen;
 mod bad_input;
 mod campaigns;
+mod campaigns_at_scale;
 mod campaigns_killed;
 mod commands;
 mod crank_page;

@@ -65,5 +65,6 @@ fn every_number_of_designs_has_the_best_partition() {
         }
     }
     assert!(asked <= 140, "{asked}");
+    assert!(assignments(0, 10, &mut |_| panic!("nothing to ask for")).is_empty());
     assert_eq!(least(3, 2, &BTreeMap::new()), 0.0, "nothing is known");
 }

@@ -341,7 +341,15 @@ fn limits_that_nothing_holds() {
     }
     let told = said(&hartog(place.path(), &["campaign", "collect", "out"])).replace("\n  ", " ");
     assert!(told.contains("none holds the limits of d [limits broken]"), "{told}");
-    // each alone comes to 0.0263°, times the square root of its inertia, and no further than a little below what both together do
+    // nothing serves any of them
+    let none = campaign(&engines[..2], "[platform]\nengines = \"engine\"\n").replace("'design=[]'", &limit(1e-3));
+    let place = planned(&none);
+    assert_eq!(run(place.path(), &[]).status.code(), Some(1));
+    let own = rows(&place.path().join("out"));
+    assert!(own.len() == 2 && own.iter().all(|row| row["status"] == "limits_broken" && row["worst_ratio"] == "null"), "{own:?}");
+    let told = said(&hartog(place.path(), &["campaign", "collect", "out"])).replace("\n  ", " ");
+    assert!(told.contains("1 damper: no assignment holds all limits: no damper holds the limits of a, b"), "{told}");
+    // each alone comes to less than the limit, one damper for both to more
     let pair = [("light", Primary::alone(0.8, 1e4)), ("heavy", Primary::alone(1.3, 1e4))];
     let place = planned(&campaign(&pair, "[platform]\nengines = \"engine\"\n").replace("'design=[]'", &limit(0.034)));
     assert_eq!(run(place.path(), &[]).status.code(), Some(1));

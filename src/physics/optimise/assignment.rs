@@ -111,9 +111,12 @@ impl Open {
     }
 }
 
-/// For each number of designs from one to that of the parties the best partition that is found, with `most` costs of sets asked for, at most, after those of the first partitions. A cost is positive, infinite where no design
+/// For each number of designs from one to that of the parties (up to [`MOST_PARTIES`]) the best partition that is found, with `most` costs of sets asked for, at most, after those of the first partitions. A cost is positive, infinite where no design
 /// serves a set, and not less than that of any part of the set.
 pub fn assignments(count: usize, most: usize, ask: &mut dyn FnMut(Set) -> f64) -> Vec<Assignment> {
+    if count == 0 {
+        return Vec::new();
+    }
     let mut costs = Costs { ask, known: BTreeMap::new() };
     let first = joined(count, &mut costs);
     let asked = costs.known.len();

@@ -114,6 +114,8 @@ pub(super) fn told(campaign: &Campaign, platform: &Platform, rows: &Rows) -> Str
 pub(super) fn dampers(manifest: &Manifest, campaign: &Campaign, platform: &Platform, rows: &Rows) -> Markup {
     let (all, more) = cut(assigned(campaign, rows));
     let by = compared_by(campaign);
+    // the design comes last
+    let axes = by.len() - 1;
     let of_platform = |name: &String| platform.axes().any(|a| a.name == *name);
     let others: Vec<&String> = manifest.axes.iter().filter(|a| !by.contains(&a.as_str()) && !of_platform(a)).collect();
     let kept = |name: &&String| {
@@ -128,10 +130,10 @@ pub(super) fn dampers(manifest: &Manifest, campaign: &Campaign, platform: &Platf
         h2 { "How few dampers serve the engines" }
         p class="soft" { "A ratio is an objective over " (by_target) ", of a margin the inverse: what is larger is worse. Of all ways to give each engine one of so many dampers this has the least worst ratio that was found; no other is below the lower bound, which follows from what is proved of the dampers of sets of engines." }
         div class="scroll" { table {
-            thead { tr { @for name in &by { th class="words" { (heading(name)) } } @for name in &others { th { (heading(name)) } } th { "case" } th { "dampers" } th { "worst ratio" } th { "lower bound" } th class="words" { "which engines share one" } } }
+            thead { tr { @for name in &by[..axes] { th class="words" { (heading(name)) } } th { "dampers" } th { "worst ratio" } th { "lower bound" } th class="words" { "which engines share one" } th class="words" { "design" } th { "case" } @for name in &others { th { (heading(name)) } } } }
             tbody { @for own in &all { tr {
-                @for word in &own.key { td class="words" { (word) } } @for name in &others { td { (own.first(rows, name)) } } td { (own.first(rows, "case")) }
-                @for name in [DAMPERS, WORST_RATIO, BOUND] { td { (own.first(rows, name)) } } td class="words" { (sharing(platform, rows, own)) }
+                @for word in &own.key[..axes] { td class="words" { (word) } } @for name in [DAMPERS, WORST_RATIO, BOUND] { td { (own.first(rows, name)) } }
+                td class="words" { (sharing(platform, rows, own)) } td class="words" { (own.first(rows, "design")) } td { (own.first(rows, "case")) } @for name in &others { td { (own.first(rows, name)) } }
             } } }
         } }
         (more)

@@ -103,7 +103,7 @@ fn asked(manifest: &Manifest, campaign: &Campaign, dataset: &Dataset) -> Markup 
     let done = manifest.shards - dataset.missing().len();
     html! {
         p { @match &campaign.platform {
-                Some(platform) => { "Which dampers serve " @for (i, axis) in platform.axes().enumerate() { @if i > 0 { ", each at " } (axis.variants.len()) " of " b { (axis.name) } } " in " (counted(manifest.cases, "case")) }
+                Some(platform) => { "Which dampers serve " @for (i, axis) in platform.axes().enumerate() { @if i > 0 { ", each at " } (counted(axis.variants.len(), "value")) " of " b { (axis.name) } } " in " (counted(manifest.cases, "case")) }
                 None => { "What does " b { (campaign.each.name()) } " give for " (counted(manifest.cases, "case")) }
             }
             @for axis in &campaign.axes { ", " (axis.variants.len()) " of " b { (axis.name) } }

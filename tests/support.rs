@@ -114,3 +114,30 @@ pub fn variant(folder: &Path, name: &str, changes: &[(&str, &str)]) -> std::path
     fs::write(&path, text).expect("written");
     path
 }
+
+/// Place and value of the lowest point of a valley, by golden sections.
+pub fn golden(mut a: f64, mut b: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    let g = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut x, mut y) = (b - g * (b - a), a + g * (b - a));
+    let (mut fx, mut fy) = (f(x), f(y));
+    while b - a > 1e-12 * (1.0 + a.abs()) {
+        if fx < fy {
+            (b, y, fy) = (y, x, fx);
+            x = b - g * (b - a);
+            fx = f(x);
+        } else {
+            (a, x, fx) = (x, y, fy);
+            y = a + g * (b - a);
+            fy = f(y);
+        }
+    }
+    if fx < fy { (x, fx) } else { (y, fy) }
+}
+
+/// The same where there may be several valleys: the lowest of some points first.
+pub fn scanned(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    const POINTS: usize = 24;
+    let at = |i: usize| a + (b - a) * i as f64 / POINTS as f64;
+    let best = (0..=POINTS).map(|i| (i, f(at(i)))).fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m }).0;
+    golden(at(best.saturating_sub(1)), at((best + 1).min(POINTS)), f)
+}

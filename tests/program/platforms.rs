@@ -1,6 +1,7 @@
 //! Platforms: dampers that several engines share, held against a search of two parameters and an enumeration of partitions that share no line with ours.
 
 use crate::campaigns::{hartog, planned, rows, run, said};
+use crate::support::{golden, scanned};
 use nalgebra::Complex;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -53,41 +54,14 @@ impl Primary {
         let all: Vec<f64> = (0..=POINTS).map(|i| self.at(damper, omega(i))).collect();
         let best = all.iter().copied().fold(0.0, f64::max);
         let tops = (1..POINTS).filter(|i| all[*i] > 0.9 * best && all[*i] >= all[i - 1] && all[*i] >= all[i + 1]);
-        tops.map(|i| -lowest(omega(i - 1), omega(i + 1), &|x| -self.at(damper, x)).1).fold(best, f64::max)
+        tops.map(|i| -golden(omega(i - 1), omega(i + 1), &|x| -self.at(damper, x)).1).fold(best, f64::max)
     }
-}
-
-/// Place and value of the lowest point of a valley, by golden sections.
-fn lowest(mut a: f64, mut b: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
-    let g = 0.5 * (5f64.sqrt() - 1.0);
-    let (mut x, mut y) = (b - g * (b - a), a + g * (b - a));
-    let (mut fx, mut fy) = (f(x), f(y));
-    while b - a > 1e-11 * (a.abs() + b.abs()) {
-        if fx < fy {
-            (b, y, fy) = (y, x, fx);
-            x = b - g * (b - a);
-            fx = f(x);
-        } else {
-            (a, x, fx) = (x, y, fy);
-            y = a + g * (b - a);
-            fy = f(y);
-        }
-    }
-    if fx < fy { (x, fx) } else { (y, fy) }
-}
-
-/// The same among several valleys: round the lowest of some points.
-fn scanned(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
-    const POINTS: usize = 16;
-    let at = |i: usize| a + (b - a) * i as f64 / POINTS as f64;
-    let best = (0..=POINTS).map(|i| (i, f(at(i)))).fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m }).0;
-    lowest(at(best.saturating_sub(1)), at((best + 1).min(POINTS)), f).1
 }
 
 /// The least that one damper reaches of the largest ratio of the peaks of some engines to their targets.
 fn minimax(of: &[(Primary, f64)]) -> f64 {
     let worst = |(k, c): (f64, f64)| of.iter().map(|(p, target)| p.peak((k, Damping::Viscous(c))) / target).fold(0.0, f64::max);
-    scanned(100f64.ln(), 5000f64.ln(), &|k| scanned(0.3f64.ln(), 50f64.ln(), &|c| worst((k.exp(), c.exp()))))
+    scanned(100f64.ln(), 5000f64.ln(), &|k| scanned(0.3f64.ln(), 50f64.ln(), &|c| worst((k.exp(), c.exp()))).1).1
 }
 
 /// A campaign whose `[[vary]]` are these engines.
@@ -305,7 +279,7 @@ fn each_engine_has_its_temperature() {
     let least = |of: &[((Primary, f64), f64)]| {
         let worst =
             |k: f64, loss: f64| of.iter().map(|((p, celsius), target)| p.peak(ring(*celsius)(k, loss)) / target).fold(0.0, f64::max);
-        scanned(100f64.ln(), 5000f64.ln(), &|k| scanned(0.02f64.ln(), 2f64.ln(), &|loss| worst(k.exp(), loss.exp())))
+        scanned(100f64.ln(), 5000f64.ln(), &|k| scanned(0.02f64.ln(), 2f64.ln(), &|loss| worst(k.exp(), loss.exp())).1).1
     };
     let engines = places.map(|(_, inertia, celsius)| (Primary::alone(inertia, 1e4), celsius));
     let alone = engines.map(|e| least(&[(e, 1.0)]));
@@ -340,7 +314,7 @@ fn limits_that_nothing_holds() {
         }
     }
     let told = said(&hartog(place.path(), &["campaign", "collect", "out"])).replace("\n  ", " ");
-    assert!(told.contains("none holds the limits of d [limits broken]"), "{told}");
+    assert!(told.contains("none was found for d [limits broken]"), "{told}");
     // nothing serves any of them
     let none = campaign(&engines[..2], "[platform]\nengines = \"engine\"\n").replace("'design=[]'", &limit(1e-3));
     let place = planned(&none);
@@ -348,7 +322,7 @@ fn limits_that_nothing_holds() {
     let own = rows(&place.path().join("out"));
     assert!(own.len() == 2 && own.iter().all(|row| row["status"] == "limits_broken" && row["worst_ratio"] == "null"), "{own:?}");
     let told = said(&hartog(place.path(), &["campaign", "collect", "out"])).replace("\n  ", " ");
-    assert!(told.contains("1 damper: no assignment holds all limits: no damper holds the limits of a, b"), "{told}");
+    assert!(told.contains("1 damper: no assignment was found that holds all limits: none was found for a, b"), "{told}");
     // each alone comes to less than the limit, one damper for both to more
     let pair = [("light", Primary::alone(0.8, 1e4)), ("heavy", Primary::alone(1.3, 1e4))];
     let place = planned(&campaign(&pair, "[platform]\nengines = \"engine\"\n").replace("'design=[]'", &limit(0.034)));

@@ -1,7 +1,7 @@
 //! Tolerances that designs can bear under limits, against brute force on two masses.
 
-use crate::limits::{TwoMasses, What, scanned, with};
-use crate::support::{Kind, assert_close, on, study, system};
+use crate::limits::{TwoMasses, What, with};
+use crate::support::{Kind, assert_close, on, scanned, study, system};
 use hartog::Study;
 use hartog::analysis::AllocationOfDesign;
 use hartog::input::{AllocateSpec, DesignSpec, LimitSpec, MeasureSpec, RobustSpec, Sampling};

@@ -1,7 +1,7 @@
 //! What is said of an optimum: second order, sensitivities, other local optima.
 
-use crate::limits::{TwoMasses, What, limited, measure, scanned, with};
-use crate::support::{assert_close, study};
+use crate::limits::{TwoMasses, What, limited, measure, with};
+use crate::support::{assert_close, scanned, study};
 use hartog::absorber::{Mounted, TUNED, VISCOUS};
 use hartog::input::{CombinedSpec, FrontSpec, LimitSpec, MeasureSpec, Size};
 use hartog::objective::Condition;

@@ -1,7 +1,6 @@
 //! The largest order of the in-line six under unit torques in phase, on a plain grid: optima against a search over stiffness and damping by dense solutions of the chain.
 
-use crate::limits::scanned;
-use crate::support::{assert_close, study, system};
+use crate::support::{assert_close, scanned, study, system};
 use hartog::absorber::TUNED;
 use hartog::analysis::families;
 use hartog::drivetrain::{Chain, Modes};

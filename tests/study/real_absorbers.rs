@@ -1,7 +1,7 @@
 //! Absorbers as they are built: laws of rubber, silicone oil, steel springs and pendulums against their sources, two-mass optima against searches by formulas, materials cold and hot.
 
-use crate::limits::{TwoMasses, What, scanned, with};
-use crate::support::{assert_close, h_infinity_peak, study, system};
+use crate::limits::{TwoMasses, What, with};
+use crate::support::{assert_close, h_infinity_peak, scanned, study, system};
 use hartog::absorber::{
     Absorber, CARREAU, Carreau, Cooling, Declaration, FRACTIONAL_KELVIN, FRACTIONAL_ZENER, Factors, FractionalKelvin, FractionalZener,
     Geometry, Law, MAXWELL, Material, Maxwell, Mounted, Operating, PENDULUM, RUBBER, SPRING_PACK, SpringPack, State, TYPES, TemperatureLaw,

@@ -3,15 +3,13 @@
 use super::cut::cut;
 use super::manifest::Manifest;
 use super::tables::Rows;
-use crate::analysis::campaign::{DAMPERS, Status, WORST_RATIO};
+use crate::analysis::campaign::Status;
 use crate::columns::heading;
-use crate::input::campaign::{Campaign, Platform};
+use crate::input::campaign::{BOUND_OF_RATIO, Campaign, DAMPER, DAMPERS, Platform, RATIO, WORST_RATIO};
 use maud::{Markup, html};
 
-/// The bound of the worst ratio.
-const BOUND: &str = "lower_bound_of_worst_ratio";
 /// Columns of ratios.
-const RATIOS: [&str; 3] = [WORST_RATIO, BOUND, "ratio"];
+const RATIOS: [&str; 3] = [WORST_RATIO, BOUND_OF_RATIO, RATIO];
 
 /// The rows of a number of dampers of the best case of what cases are compared by.
 struct Assigned {
@@ -74,7 +72,7 @@ fn study_of(platform: &Platform, rows: &Rows, row: usize) -> String {
 fn sharing(platform: &Platform, rows: &Rows, own: &Assigned) -> String {
     let mut sets: Vec<(String, Vec<String>)> = Vec::new();
     for row in &own.rows {
-        let (damper, engine) = (rows.word("damper", *row), rows.exact(&platform.engines.name, *row));
+        let (damper, engine) = (rows.word(DAMPER, *row), rows.exact(&platform.engines.name, *row));
         match sets.iter_mut().find(|s| s.0 == damper) {
             Some(set) if set.1.contains(&engine) => {}
             Some(set) => set.1.push(engine),
@@ -85,8 +83,8 @@ fn sharing(platform: &Platform, rows: &Rows, own: &Assigned) -> String {
     let (served, left_out): (Vec<_>, Vec<_>) = sets.into_iter().partition(|s| !s.0.is_empty());
     let served = served.iter().map(|s| s.1.join(" + ")).collect::<Vec<_>>().join(" | ");
     match left_out.first() {
-        Some(out) if served.is_empty() => format!("no damper holds the limits of {}", out.1.join(", ")),
-        Some(out) => format!("{served}; none holds the limits of {}", out.1.join(", ")),
+        Some(out) if served.is_empty() => format!("none was found for {}", out.1.join(", ")),
+        Some(out) => format!("{served}; none was found for {}", out.1.join(", ")),
         None => served,
     }
 }
@@ -94,10 +92,14 @@ fn sharing(platform: &Platform, rows: &Rows, own: &Assigned) -> String {
 /// A line for each number of dampers; of what came to nothing why.
 pub(super) fn told(campaign: &Campaign, platform: &Platform, rows: &Rows) -> String {
     let line = |own: &Assigned| {
-        let (dampers, worst, bound) = (own.first(rows, DAMPERS), own.first(rows, WORST_RATIO), own.first(rows, BOUND));
+        let (dampers, worst, bound) = (own.first(rows, DAMPERS), own.first(rows, WORST_RATIO), own.first(rows, BOUND_OF_RATIO));
         let word = if dampers == "1" { "damper" } else { "dampers" };
         let bound = if bound.is_empty() { bound } else { format!(", proved not below {bound}") };
-        let ratio = if worst.is_empty() { format!("no assignment holds all limits{bound}") } else { format!("worst ratio {worst}{bound}") };
+        let ratio = if worst.is_empty() {
+            format!("no assignment was found that holds all limits{bound}")
+        } else {
+            format!("worst ratio {worst}{bound}")
+        };
         let case = if own.of > 1 { format!(" (case {}, the best of {})", own.first(rows, "case"), own.of) } else { String::new() };
         let statuses = own.statuses(rows).join(", ");
         let statuses = if statuses.is_empty() { statuses } else { format!(" [{statuses}]") };
@@ -120,7 +122,7 @@ pub(super) fn dampers(manifest: &Manifest, campaign: &Campaign, platform: &Platf
     let others: Vec<&String> = manifest.axes.iter().filter(|a| !by.contains(&a.as_str()) && !of_platform(a)).collect();
     let kept = |name: &&String| {
         let said = ["case", "status", "reason", "design", "starts_agreeing", "converged", "limits_hold"];
-        let is_said = said.contains(&name.as_str()) || [DAMPERS, "damper", WORST_RATIO, BOUND].contains(&name.as_str());
+        let is_said = said.contains(&name.as_str()) || [DAMPERS, DAMPER, WORST_RATIO, BOUND_OF_RATIO].contains(&name.as_str());
         !is_said && !manifest.axes.contains(name) && all.iter().flat_map(|s| &s.rows).any(|r| !rows.word(name, *r).is_empty())
     };
     let columns: Vec<&String> = rows.names.iter().filter(kept).collect();
@@ -132,7 +134,7 @@ pub(super) fn dampers(manifest: &Manifest, campaign: &Campaign, platform: &Platf
         div class="scroll" { table {
             thead { tr { @for name in &by[..axes] { th class="words" { (heading(name)) } } th { "dampers" } th { "worst ratio" } th { "lower bound" } th class="words" { "which engines share one" } th class="words" { "design" } th { "case" } @for name in &others { th { (heading(name)) } } } }
             tbody { @for own in &all { tr {
-                @for word in &own.key[..axes] { td class="words" { (word) } } @for name in [DAMPERS, WORST_RATIO, BOUND] { td { (own.first(rows, name)) } }
+                @for word in &own.key[..axes] { td class="words" { (word) } } @for name in [DAMPERS, WORST_RATIO, BOUND_OF_RATIO] { td { (own.first(rows, name)) } }
                 td class="words" { (sharing(platform, rows, own)) } td class="words" { (own.first(rows, "design")) } td { (own.first(rows, "case")) } @for name in &others { td { (own.first(rows, name)) } }
             } } }
         } }
@@ -142,7 +144,7 @@ pub(super) fn dampers(manifest: &Manifest, campaign: &Campaign, platform: &Platf
         div class="scroll" { table id="engines" class="sorts" {
             thead { tr { @for name in &by { th class="words" { (heading(name)) } } th { "dampers" } th { "damper" } th class="words" { "engine" } th { "status" } @for name in &columns { th { (heading(name)) } } } }
             tbody { @for own in &all { @for row in &own.rows { tr {
-                @for word in &own.key { td class="words" { (word) } } td { (rows.word(DAMPERS, *row)) } td { (rows.word("damper", *row)) }
+                @for word in &own.key { td class="words" { (word) } } td { (rows.word(DAMPERS, *row)) } td { (rows.word(DAMPER, *row)) }
                 td class="words" { (study_of(platform, rows, *row)) } td { (rows.word("status", *row).replace('_', " ")) }
                 @for name in &columns { td { (word(rows, name, *row)) } }
             } } } }

@@ -1,6 +1,6 @@
 //! The columns that cases fill: the same in every shard of a campaign.
 
-use crate::input::campaign::{Campaign, Each};
+use crate::input::campaign::{BOUND_OF_RATIO, Campaign, DAMPER, DAMPERS, Each, RATIO, WORST_RATIO};
 use crate::input::{AbsorberSpec, FrontSpec, MeasureSpec, Study};
 
 /// What the cells of a column are.
@@ -74,13 +74,6 @@ pub(super) fn bound_of(o: &MeasureSpec) -> String {
     format!("lower_bound_of_{}", o.column)
 }
 
-/// How many dampers serve the engines of a platform, and the largest ratio of an objective to its target then.
-#[doc(hidden)]
-pub const DAMPERS: &str = "dampers";
-/// See [`DAMPERS`].
-#[doc(hidden)]
-pub const WORST_RATIO: &str = "worst_ratio";
-
 /// The column of what an objective counts as one at.
 pub(super) fn target_of(o: &MeasureSpec) -> String {
     format!("target_of_{}", o.column)
@@ -99,10 +92,10 @@ fn of_study(study: &Study, each: Each) -> Vec<Column> {
         Each::Optimise => list.push(column("objective", Text)),
         Each::Platform => list.extend([
             column(DAMPERS, Count),
-            column("damper", Count),
+            column(DAMPER, Count),
             column(WORST_RATIO, Number),
-            column("lower_bound_of_worst_ratio", Number),
-            column("ratio", Number),
+            column(BOUND_OF_RATIO, Number),
+            column(RATIO, Number),
             column(target_of(&study.objective), Number),
         ]),
         Each::Evaluate | Each::Front | Each::Robust => {}

@@ -270,10 +270,11 @@ impl<'a> Studies<'a> {
         };
         let found = assignments(alone.len(), sets, &mut cost);
         let known = of_sets.iter().map(|(set, share)| (*set, share.damper.as_ref().map_or(0.0, Damper::at_least))).collect();
-        let of_count = |(i, own): (usize, Assignment)| Count {
-            dampers: own.sets.iter().map(|set| of_sets[set].clone()).collect(),
-            worst: own.cost,
-            at_least: least(alone.len(), i + 1, &known).min(own.cost),
+        let of_count = |(i, own): (usize, Assignment)| {
+            let dampers: Vec<Arc<Share>> = own.sets.iter().map(|set| of_sets[set].clone()).collect();
+            // that of an assignment may be of a part whose search has erred
+            let worst = dampers.iter().map(|share| cost_of(share)).fold(0.0, f64::max);
+            Count { dampers, worst, at_least: least(alone.len(), i + 1, &known).min(worst) }
         };
         let counts = found.into_iter().enumerate().map(of_count).collect();
         Ok(Dampers { name: shared.family.name.clone(), targets, counts, left_out, shared })

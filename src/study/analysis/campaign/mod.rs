@@ -10,7 +10,7 @@ mod setup;
 mod shard;
 
 pub use cases::{Case, Shard};
-pub use columns::{Cell, CellKind, Column, DAMPERS, WORST_RATIO, columns, compared_by};
+pub use columns::{Cell, CellKind, Column, columns, compared_by};
 pub use points::{Index, indices};
 pub use rows::{Row, Status};
 pub use shard::{Rows, run_cases};

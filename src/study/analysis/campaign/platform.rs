@@ -1,14 +1,14 @@
 //! Rows of a platform: a row for each number of dampers and each of its studies.
 
 use super::cases::Case;
-use super::columns::{Cell, DAMPERS, WORST_RATIO, target_of};
+use super::columns::{Cell, target_of};
 use super::dampers::{Count, Damper, Dampers, NoDampers, Share, Studies, disagreement};
 use super::rows::{By, Row, Status, as_asked, values};
 use super::setup::with_searches;
 use crate::analysis::RunError;
 use crate::analysis::searches::Searches;
 use crate::input::Study;
-use crate::input::campaign::{Campaign, Each, Platform};
+use crate::input::campaign::{BOUND_OF_RATIO, Campaign, DAMPER, DAMPERS, Each, Platform, RATIO, WORST_RATIO};
 use crate::objective::holds;
 use crate::optimise::{Stop, Verdict};
 
@@ -76,21 +76,22 @@ fn of_family(searches: &[&Searches], (all, of): (&Studies, &Named), family: &Dam
     let counts = if family.counts.is_empty() { &none[..] } else { &family.counts };
     let of_count = |(i, own): (usize, &Count)| -> Vec<Row> {
         let row = |study: usize| {
-            let number = own.dampers.iter().position(|d| d.studies.contains(&study));
-            let share = number.map(|n| &*own.dampers[n]).or_else(|| family.left_out.iter().find(|d| d.studies.contains(&study)));
-            let mut row = match share.map(|share| (share, &share.damper)) {
-                Some((share, Ok(damper))) => of_study(searches[study], (all, of, study), family, (share, damper)),
-                Some((_, Err(error))) => Row::without(Status::Unbounded, error.to_string()),
-                None => Row::without(Status::Refused, String::new()),
+            let shares = own.dampers.iter().map(|d| &**d).chain(&family.left_out);
+            let (number, share) = shares.enumerate().find(|(_, share)| share.studies.contains(&study))?;
+            let mut row = match &share.damper {
+                Ok(damper) => of_study(searches[study], (all, of, study), family, (share, damper)),
+                Err(error) => Row::without(Status::Unbounded, error.to_string()),
             };
             row.covered.clone_from(&of.members[study].covered);
             row.put(DAMPERS, Cell::Count(i as i64 + 1));
-            number.into_iter().for_each(|n| row.put("damper", Cell::Count(n as i64 + 1)));
+            if number < own.dampers.len() {
+                row.put(DAMPER, Cell::Count(number as i64 + 1));
+            }
             row.put(WORST_RATIO, Cell::of(Some(own.worst)));
-            row.put("lower_bound_of_worst_ratio", Cell::of(Some(own.at_least).filter(|b| *b > 0.0)));
-            row
+            row.put(BOUND_OF_RATIO, Cell::of(Some(own.at_least).filter(|b| *b > 0.0)));
+            Some(row)
         };
-        (0..searches.len()).map(row).collect()
+        (0..searches.len()).filter_map(row).collect()
     };
     counts.iter().enumerate().flat_map(of_count).collect()
 }
@@ -102,9 +103,8 @@ fn of_study(searches: &Searches, (all, of, i): (&Studies, &Named, usize), family
     let outcome = &damper.optimum.outcome;
     let is_left_out = family.left_out.iter().any(|d| d.studies.contains(&i));
     let ratio = all.ratio(family, i, damper).filter(|_| !is_left_out);
-    row.put("ratio", Cell::of(ratio));
+    row.put(RATIO, Cell::of(ratio));
     row.put(target_of(objective), Cell::of(Some(objective.unit.shown(target)).filter(|_| !is_left_out)));
-    row.put(objective.column.clone(), Cell::of(ratio.map(|r| objective.unit.shown(r * target))));
     if !outcome.rows.hold() {
         let names: Vec<&str> = share.studies.iter().map(|s| of.names[*s].as_str()).collect();
         let is_proved = damper.proof.as_ref().is_some_and(|p| p.verdict == Verdict::Impossible);
@@ -112,11 +112,11 @@ fn of_study(searches: &Searches, (all, of, i): (&Studies, &Named, usize), family
         row.status(Status::LimitsBroken, format!("{word} {}", names.join(", ")));
     }
     match values(searches, &design, By::Exact) {
-        Ok(found) if is_left_out => {
-            row.put(objective.column.clone(), Cell::of(Some(objective.unit.shown(found.objectives[0]))));
+        Ok(found) => {
+            let value = ratio.map_or(found.objectives[0], |r| r * target);
+            row.put(objective.column.clone(), Cell::of(Some(objective.unit.shown(value))));
             row.limits(study, &found.limits, found.limits.iter().all(|l| holds(*l)));
         }
-        Ok(found) => row.limits(study, &found.limits, found.limits.iter().all(|l| holds(*l))),
         Err(error) => row.status(Status::Unbounded, error.to_string()),
     }
     let is_finished = outcome.stop == Stop::NothingFree || outcome.meets_first_order();

@@ -53,8 +53,23 @@ pub(super) fn platform(check: &mut Check, raw: &RawCampaign, axes: &mut Vec<Axis
     Some(platform)
 }
 
-/// Columns of results by which tables of platforms are read.
-const RESULTS: [&str; 5] = ["dampers", "damper", "ratio", "worst_ratio", "lower_bound_of_worst_ratio"];
+/// Columns of the results of a platform: how many dampers serve its engines,
+#[doc(hidden)]
+pub const DAMPERS: &str = "dampers";
+/// which of them an engine has,
+#[doc(hidden)]
+pub const DAMPER: &str = "damper";
+/// its objective over its target,
+#[doc(hidden)]
+pub const RATIO: &str = "ratio";
+/// the largest of all engines,
+#[doc(hidden)]
+pub const WORST_RATIO: &str = "worst_ratio";
+/// and what no assignment of so many dampers is below.
+#[doc(hidden)]
+pub const BOUND_OF_RATIO: &str = "lower_bound_of_worst_ratio";
+/// All of them.
+const RESULTS: [&str; 5] = [DAMPERS, DAMPER, RATIO, WORST_RATIO, BOUND_OF_RATIO];
 
 /// What varies has no name of these.
 pub(super) fn not_of_results(check: &mut Check, raw: &RawCampaign, names: &HashSet<String>) {

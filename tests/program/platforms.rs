@@ -211,7 +211,15 @@ fn loads_share_the_damper_of_their_engine() {
     assert!((worst(&own, 2) / each - 1.0).abs() < 1e-6, "{} {each}", worst(&own, 2));
 }
 
-/// The README's lines are what its campaign prints, and all of it is proved.
+/// What stands in the cells of a table of a page, row by row, its head first.
+fn cells(page: &str, id: &str) -> Vec<Vec<String>> {
+    let from = page.find(&format!("id=\"{id}\"")).unwrap_or_else(|| panic!("no {id}"));
+    let table = page[from..].split("</table>").next().expect("an end").replace("</th>", "</td>");
+    let own = |row: &str| row.split("</td>").filter_map(|c| c.rsplit('>').next()).map(str::to_owned).collect();
+    table.split("<tr>").skip(1).map(own).collect()
+}
+
+/// The README's lines are what its campaign prints, all of it is proved, and the page has the numbers of the table, to its digits.
 #[test]
 fn the_example_of_the_readme() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -227,6 +235,28 @@ fn the_example_of_the_readme() {
     assert!(lines.len() == 3 && lines.iter().all(|line| told.contains(line)), "{told}");
     let own = rows(out.path());
     assert!(own.len() == 18 && own.iter().all(|row| row["proof"] == "proved" && row["status"] == "ok"), "{own:?}");
+    let page = cells(&std::fs::read_to_string(out.path().join("campaign.html")).expect("a page"), "engines");
+    let (head, shown) = page.split_first().expect("a head");
+    assert_eq!(shown.len(), own.len());
+    for (cells, row) in shown.iter().zip(&own) {
+        for (heading, column, words) in [
+            ("family", "family", true),
+            ("engine", "engine", true),
+            ("dampers", "dampers", true),
+            ("damper", "damper", true),
+            ("ratio", "ratio", false),
+            ("peak twist, °", "peak_twist_deg", false),
+            ("target of peak twist, °", "target_of_peak_twist_deg", false),
+            ("stiffness, N m/rad", "stiffness_n_m_per_rad", false),
+            ("damping, N m s/rad", "damping_n_m_s_per_rad", false),
+        ] {
+            let cell = &cells[head.iter().position(|h| h == heading).unwrap_or_else(|| panic!("{heading}: {head:?}"))];
+            match cell.parse::<f64>() {
+                Ok(x) if !words => assert!((x / number(row, column) - 1.0).abs() < 6e-4, "{heading}: {cell}, {row:?}"),
+                _ => assert_eq!(if cell.is_empty() { "null" } else { cell }, row[column], "{heading}"),
+            }
+        }
+    }
     let twist = |family: &str, engine: &str| {
         let row = own.iter().find(|r| r["family"] == family && r["engine"] == engine && r["dampers"] == "3").expect("a row");
         number(row, "peak_twist_deg")

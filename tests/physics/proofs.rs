@@ -37,28 +37,36 @@ fn random_system(random: &mut Xoshiro256PlusPlus) -> System {
     System::new(random_tree(random, n), one_throw(&orders))
 }
 
-/// One type of absorber anywhere: all of its parameters but the ring between the bounds of the type, of a material between half and twice typical values; with the modes it may be tuned to.
-fn random_space(system: &System, random: &mut Xoshiro256PlusPlus) -> (Space, Vec<EngineMode>) {
-    let named = ["tuned", "viscous", "rubber", "maxwell", "fractional_kelvin", "spring_pack", "pendulum"];
+/// Types whose stiffness is a quotient of what is linear in each parameter, for two rings.
+const OF_TWO: [&str; 4] = ["tuned", "viscous", "rubber", "maxwell"];
+const OF_ONE: [&str; 7] = ["tuned", "viscous", "rubber", "maxwell", "fractional_kelvin", "spring_pack", "pendulum"];
+
+/// One type of absorber anywhere, or two: all of its parameters but the ring between the bounds of the type, of a material between half and twice typical values; with the modes it may be tuned to.
+fn random_space(system: &System, rings: usize, random: &mut Xoshiro256PlusPlus) -> (Space, Vec<Vec<EngineMode>>) {
+    let named: &[&str] = if rings == 1 { &OF_ONE } else { &OF_TWO };
     let kinds: Vec<&'static Declaration> = TYPES.into_iter().filter(|d| named.contains(&d.name)).collect();
-    let kind = kinds[random.random_range(0..kinds.len())];
-    let station = random.random_range(0..system.chain.len());
-    let inertia = system.chain.stations[station].inertia;
-    let omega = system.modes.elastic().map(|m| system.modes.omega[m]).filter(|w| *w > 1.0).take(3);
-    let modes: Vec<EngineMode> = omega.map(|omega| EngineMode { inertia, omega }).collect();
-    let surroundings = Surroundings { modes: &modes, ring_inertia: inertia * random.random_range(0.1..1.0) };
     let mut space = Space { slots: Vec::new(), variables: Vec::new() };
-    let mut values = vec![surroundings.ring_inertia];
-    for (parameter, p) in kind.parameters.iter().enumerate().skip(1) {
-        let typical = (p.typical)(&surroundings);
-        let (lower, upper) = if p.material { (0.5 * typical, p.range.nearest(2.0 * typical)) } else { (p.bounds)(&surroundings) };
-        let scale = (1e-3 * typical).min(if p.material { lower } else { f64::INFINITY });
-        space.variables.push(Variable { absorber: 0, parameter, lower, upper, scale });
-        values.push(lower);
+    let mut all_modes = Vec::new();
+    for absorber in 0..rings {
+        let kind = kinds[random.random_range(0..kinds.len())];
+        let station = random.random_range(0..system.chain.len());
+        let inertia = system.chain.stations[station].inertia;
+        let omega = system.modes.elastic().map(|m| system.modes.omega[m]).filter(|w| *w > 1.0).take(3);
+        let modes: Vec<EngineMode> = omega.map(|omega| EngineMode { inertia, omega }).collect();
+        let surroundings = Surroundings { modes: &modes, ring_inertia: inertia * random.random_range(0.1..1.0) };
+        let mut values = vec![surroundings.ring_inertia];
+        for (parameter, p) in kind.parameters.iter().enumerate().skip(1) {
+            let typical = (p.typical)(&surroundings);
+            let (lower, upper) = if p.material { (0.5 * typical, p.range.nearest(2.0 * typical)) } else { (p.bounds)(&surroundings) };
+            let scale = (1e-3 * typical).min(if p.material { lower } else { f64::INFINITY });
+            space.variables.push(Variable { absorber, parameter, lower, upper, scale });
+            values.push(lower);
+        }
+        let on = Host::Station(station);
+        space.slots.push(Slot { declaration: kind, on, hub_inertia: 0.0, values, material: Arc::new(Material::default()) });
+        all_modes.push(modes);
     }
-    let on = Host::Station(station);
-    space.slots.push(Slot { declaration: kind, on, hub_inertia: 0.0, values, material: Arc::new(Material::default()) });
-    (space, modes)
+    (space, all_modes)
 }
 
 /// Random designs anywhere and as many near a point.
@@ -104,10 +112,10 @@ fn contradiction(problem: &Problem, (measure, bound): (&Measure, f64), points: &
     None
 }
 
-fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
+fn random_engine((seed, rings): (u64, usize), (gap, boxes, designs): (f64, u64, usize)) -> Count {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
     let system = random_system(&mut random);
-    let (space, modes) = random_space(&system, &mut random);
+    let (space, modes) = random_space(&system, rings, &mut random);
     let (kind, n, free) = (space.slots[0].declaration.name, system.chain.len(), space.variables.len());
     let speeds: Vec<f64> = (0..=100).map(|i| 400.0 + 30.0 * f64::from(i)).collect();
     let grid = Grid::new(&speeds, &[]);
@@ -119,7 +127,7 @@ fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
     let over = if random.random_bool(0.7) { Over::Synthesis } else { Over::Orders };
     let objectives = [Measure::new(vec![quantity], over).in_si()];
     let problem = Problem { load_cases: &load_cases, space, objectives: &objectives, weights: &[], limits: &[], memory: None };
-    let list = starts::starts(&problem.space, &[modes], 4, seed);
+    let list = starts::starts(&problem.space, &modes, 4, seed);
     let Ok(mut optimum) = search::optimise(&problem, &list, search::Finish::Distinct, &|| {}) else { return Count::default() };
     let proof = settle(&problem, &mut optimum, Effort { gap, boxes });
     let bound = proof.lower_bound.unwrap_or(0.0);
@@ -138,9 +146,9 @@ fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
     Count { proved: usize::from(is_proved), open: usize::from(!is_proved), refuted: usize::from(proof.better > 0) }
 }
 
-fn engines(seeds: std::ops::Range<u64>, effort: (f64, u64, usize)) -> Count {
+fn engines(seeds: std::ops::Range<u64>, rings: usize, effort: (f64, u64, usize)) -> Count {
     seeds.fold(Count::default(), |all, seed| {
-        let own = random_engine(seed, effort);
+        let own = random_engine((seed, rings), effort);
         let all = Count { proved: all.proved + own.proved, open: all.open + own.open, refuted: all.refuted + own.refuted };
         println!("up to {seed}: {all:?}");
         all
@@ -150,7 +158,7 @@ fn engines(seeds: std::ops::Range<u64>, effort: (f64, u64, usize)) -> Count {
 /// Law: no design of a random engine is below what is proved; most optima are proved.
 #[test]
 fn nothing_contradicts_a_proof() {
-    let count = engines(0..10, (1e-3, 10_000, 100));
+    let count = engines(0..10, 1, (1e-3, 10_000, 100));
     assert!(count.proved >= 8, "{count:?}");
 }
 
@@ -159,7 +167,16 @@ fn nothing_contradicts_a_proof() {
 #[ignore = "two hours and more; a line an engine"]
 fn nothing_contradicts_the_proofs_of_200_engines() {
     let designs = std::env::var("HARTOG_DESIGNS").ok().and_then(|s| s.parse().ok()).unwrap_or(100_000);
-    let count = engines(1000..1200, (1e-3, 200_000, designs));
+    let count = engines(1000..1200, 1, (1e-3, 200_000, designs));
     println!("{count:?}");
     assert!(count.proved > 150, "{count:?}");
+}
+
+/// The same of two rings: most are left open, by one order they are proved.
+#[test]
+#[ignore = "an hour"]
+fn nothing_contradicts_the_proofs_of_two_rings() {
+    let count = engines(2000..2040, 2, (1e-2, 20_000, 20_000));
+    println!("{count:?}");
+    assert!(count.proved > 5, "{count:?}");
 }

@@ -106,7 +106,12 @@ pub trait Law: Debug + Send + Sync {
         None
     }
 
-    /// The same of the inertia of the ring.
+    /// S = P/Q with P and Q linear in each declared parameter by itself, for values of these; the inertia of the ring is the first of them, and in neither. `None` where the law is no such quotient.
+    fn quotient(&self, _values: &[f64], _at: Operating) -> Option<[C64; 2]> {
+        None
+    }
+
+    /// The inertia of the ring where declared parameters are anything that these models hold.
     fn ring_over(&self, values: &[Taylor]) -> Taylor {
         values[0]
     }

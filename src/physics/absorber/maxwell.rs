@@ -75,6 +75,9 @@ impl Law for Maxwell {
         let below = values[2].times(&at.omega).times_number(I).plus_number(C64::from(1.0));
         Some(values[1].times(&at.omega).times_number(I).times(&below.inverse()?))
     }
+    fn quotient(&self, values: &[f64], at: Operating) -> Option<[C64; 2]> {
+        Some([C64::new(0.0, at.omega * values[1]), C64::new(1.0, at.omega * values[2])])
+    }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let denominator = C64::new(1.0, at.omega * self.relaxation_time);
         let by_time = at.omega * at.omega * self.damping / (denominator * denominator);

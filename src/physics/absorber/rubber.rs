@@ -71,6 +71,9 @@ impl Law for Rubber {
     fn over(&self, values: &[Taylor], _: &OperatingOver) -> Option<Taylor> {
         Some(values[1].times(&values[2].times_number(I).plus_number(C64::from(1.0))))
     }
+    fn quotient(&self, values: &[f64], _: Operating) -> Option<[C64; 2]> {
+        Some([C64::new(values[1], values[1] * values[2]), C64::from(1.0)])
+    }
     fn derivatives(&self, _: Operating) -> Vec<C64> {
         vec![C64::default(), C64::new(1.0, self.loss_factor), C64::new(0.0, self.stiffness)]
     }

@@ -58,6 +58,9 @@ impl Law for Tuned {
     fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         Some(values[1].plus(&values[2].times(&at.omega).times_number(I)))
     }
+    fn quotient(&self, values: &[f64], at: Operating) -> Option<[C64; 2]> {
+        Some([C64::new(values[1], at.omega * values[2]), C64::from(1.0)])
+    }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         vec![C64::default(), C64::from(1.0), C64::new(0.0, at.omega)]
     }

@@ -61,6 +61,9 @@ impl Law for Undamped {
     fn over(&self, values: &[Taylor], _: &OperatingOver) -> Option<Taylor> {
         Some(values[1])
     }
+    fn quotient(&self, values: &[f64], _: Operating) -> Option<[C64; 2]> {
+        Some([C64::from(values[1]), C64::from(1.0)])
+    }
     fn derivatives(&self, _: Operating) -> Vec<C64> {
         vec![C64::default(), C64::from(1.0)]
     }

@@ -47,6 +47,9 @@ impl Law for Viscous {
     fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         Some(values[1].times(&at.omega).times_number(I))
     }
+    fn quotient(&self, values: &[f64], at: Operating) -> Option<[C64; 2]> {
+        Some([C64::new(0.0, at.omega * values[1]), C64::from(1.0)])
+    }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         vec![C64::default(), C64::new(0.0, at.omega)]
     }

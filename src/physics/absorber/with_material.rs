@@ -127,6 +127,9 @@ impl Law for WithMaterial {
     fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         self.law.over(values, at)
     }
+    fn quotient(&self, values: &[f64], at: Operating) -> Option<[C64; 2]> {
+        self.law.quotient(values, at)
+    }
     fn ring_over(&self, values: &[Taylor]) -> Taylor {
         self.law.ring_over(values)
     }
@@ -159,6 +162,11 @@ impl Law for Changed {
     }
     fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         self.now.over(&self.changed_over(values), at)
+    }
+    fn quotient(&self, values: &[f64], at: Operating) -> Option<[C64; 2]> {
+        let amount = |i: usize| self.amounts.get(i).copied().unwrap_or(0.0);
+        let changed: Vec<f64> = values.iter().zip(&self.factors).enumerate().map(|(i, (x, f))| x * f + amount(i)).collect();
+        self.now.quotient(&changed, at)
     }
     fn ring_over(&self, values: &[Taylor]) -> Taylor {
         self.now.ring_over(&self.changed_over(values))

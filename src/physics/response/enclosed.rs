@@ -55,31 +55,86 @@ impl Enclosed {
         };
         Some(Self { station, hub: mounted.hub(), kind })
     }
+
+    /// Its corners; `None` where the ring is locked.
+    pub fn corners(&self) -> Option<Corners> {
+        let Kind::Ring { law, values, .. } = &self.kind else { return None };
+        let own = |v: &Taylor| v.slopes.iter().position(|g| *g != ZERO);
+        let variables: Vec<usize> = values.iter().filter_map(own).collect();
+        let corner = |corner: usize| {
+            let sign = |i: usize| variables.iter().position(|v| *v == i).map_or(0.0, |k| if corner >> k & 1 == 1 { 1.0 } else { -1.0 });
+            let value = |v: &Taylor| v.centre.re + own(v).map_or(0.0, |i| sign(i) * v.slopes[i].re);
+            let values: Vec<f64> = values.iter().map(value).collect();
+            let held: Vec<Taylor> = values.iter().map(|x| Taylor::constant(C64::from(*x))).collect();
+            let ring_inertia = law.ring_over(&held).centre.re;
+            (values, ring_inertia)
+        };
+        let corners = (0..1usize << variables.len()).map(corner).collect();
+        Some(Corners { law: Some(law.clone()), hub: self.hub, variables, corners })
+    }
+}
+
+/// An absorber at the corners of a box.
+#[derive(Debug, Clone)]
+pub struct Corners {
+    /// `None` where there is no absorber.
+    law: Option<Arc<dyn Law>>,
+    hub: f64,
+    variables: Vec<usize>,
+    /// Parameters and inertia of the ring at each corner, the first variable fastest.
+    corners: Vec<(Vec<f64>, f64)>,
+}
+
+impl Corners {
+    /// No absorber.
+    pub(super) fn none() -> Self {
+        Self { law: None, hub: 0.0, variables: Vec::new(), corners: vec![(Vec::new(), 0.0)] }
+    }
+
+    /// Indices of the variables that its parameters depend on.
+    pub fn variables(&self) -> &[usize] {
+        &self.variables
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.corners.len()
+    }
+
+    /// d and n times the denominator of S, at a corner; `None` where S is no quotient.
+    pub(super) fn load(&self, corner: usize, at: Operating) -> Option<[C64; 2]> {
+        let Some(law) = &self.law else { return Some([C64::from(1.0), ZERO]) };
+        let (values, ring_inertia) = &self.corners[corner];
+        let by = -at.omega * at.omega;
+        let ([p, q], m) = (law.quotient(values, at)?, by * ring_inertia);
+        let d = p + q * m;
+        Some([d, p * m + d * (by * self.hub)])
+    }
 }
 
 /// The base at one speed.
 #[derive(Debug)]
 pub struct BaseAtSpeed {
-    at: Vec<Operating>,
-    points: Vec<Point>,
+    pub(super) at: Vec<Operating>,
+    pub(super) points: Vec<Point>,
 }
 
 /// A quantity under the torque of an order, and per unit torque at each station.
 #[derive(Debug, Clone)]
-struct Output {
-    own: Taylor,
-    by: Vec<Taylor>,
+pub(super) struct Output {
+    pub own: Taylor,
+    pub by: Vec<Taylor>,
 }
 
 /// The base at one order, each number with what it may be off by.
 #[derive(Debug, Clone)]
-struct Point {
+pub(super) struct Point {
     /// Angle of each station under the torque.
-    angles: Vec<Taylor>,
+    pub angles: Vec<Taylor>,
     /// Angle of a station per unit torque at another one, row after row.
-    receptances: Vec<Vec<Taylor>>,
+    pub receptances: Vec<Vec<Taylor>>,
     /// Of each quantity of the chain.
-    outputs: Vec<Output>,
+    pub outputs: Vec<Output>,
 }
 
 impl Point {
@@ -157,36 +212,46 @@ impl BaseAtSpeed {
     /// Phasors of the quantities that the base was made for, order after order: `put` is given the index of the quantity, the order, the phasor and, of the twist of a ring, the moment S times it.
     /// `None` where a design of the box may be without finite response.
     pub fn phasors(&self, absorbers: &[Enclosed], quantities: &[Quantity], mut put: impl FnMut(usize, usize, [Taylor; 2])) -> Option<()> {
+        (0..self.orders()).try_for_each(|order| self.phasors_of(order, absorbers, quantities, |i, y| put(i, order, y)))
+    }
+
+    /// The same of one order.
+    pub fn phasors_of(
+        &self,
+        order: usize,
+        absorbers: &[Enclosed],
+        quantities: &[Quantity],
+        mut put: impl FnMut(usize, [Taylor; 2]),
+    ) -> Option<()> {
         let none = Taylor::constant(ZERO);
-        for (order, (at, point)) in self.at.iter().zip(&self.points).enumerate() {
-            let Some((last, others)) = absorbers.split_last() else {
-                point.outputs.iter().enumerate().for_each(|(i, output)| put(i, order, [output.own, none]));
-                continue;
+        let (at, point) = (&self.at[order], &self.points[order]);
+        let Some((last, others)) = absorbers.split_last() else {
+            point.outputs.iter().enumerate().for_each(|(i, output)| put(i, [output.own, none]));
+            return Some(());
+        };
+        let mut base = Cow::Borrowed(point);
+        let mut twists: Vec<[Output; 2]> = Vec::with_capacity(others.len());
+        for (k, absorber) in others.iter().enumerate() {
+            let ring = Ring::on(absorber, *at, &base)?;
+            let stations: Vec<usize> = absorbers[k + 1..].iter().map(|a| a.station).collect();
+            twists.iter_mut().flatten().for_each(|output| *output = ring.held(output, &base, &stations));
+            twists.push(ring.twist(&base, &stations));
+            base = Cow::Owned(ring.put_on(&base, &stations));
+        }
+        // nothing is put on what the last one leaves
+        let ring = Ring::on(last, *at, &base)?;
+        let angle = &base.angles[last.station];
+        let torque = ring.share.times(angle);
+        let with_it = |output: &Output| output.own.minus(&torque.times(&output.by[last.station]));
+        for (i, quantity) in quantities.iter().enumerate() {
+            let y = match quantity {
+                Quantity::RingTwist(absorber) => match twists.get(*absorber) {
+                    Some(twist) => twist.each_ref().map(with_it),
+                    None => [ring.twist.times(angle), ring.moment.times(angle)],
+                },
+                _ => [with_it(&base.outputs[i]), none],
             };
-            let mut base = Cow::Borrowed(point);
-            let mut twists: Vec<[Output; 2]> = Vec::with_capacity(others.len());
-            for (k, absorber) in others.iter().enumerate() {
-                let ring = Ring::on(absorber, *at, &base)?;
-                let stations: Vec<usize> = absorbers[k + 1..].iter().map(|a| a.station).collect();
-                twists.iter_mut().flatten().for_each(|output| *output = ring.held(output, &base, &stations));
-                twists.push(ring.twist(&base, &stations));
-                base = Cow::Owned(ring.put_on(&base, &stations));
-            }
-            // nothing is put on what the last one leaves
-            let ring = Ring::on(last, *at, &base)?;
-            let angle = &base.angles[last.station];
-            let torque = ring.share.times(angle);
-            let with_it = |output: &Output| output.own.minus(&torque.times(&output.by[last.station]));
-            for (i, quantity) in quantities.iter().enumerate() {
-                let y = match quantity {
-                    Quantity::RingTwist(absorber) => match twists.get(*absorber) {
-                        Some(twist) => twist.each_ref().map(with_it),
-                        None => [ring.twist.times(angle), ring.moment.times(angle)],
-                    },
-                    _ => [with_it(&base.outputs[i]), none],
-                };
-                put(i, order, y);
-            }
+            put(i, y);
         }
         Some(())
     }

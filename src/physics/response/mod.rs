@@ -30,6 +30,8 @@ pub mod modal;
 pub mod newmark;
 pub mod operation;
 mod output;
+#[doc(hidden)]
+pub mod pair;
 pub mod periodic;
 pub mod power;
 pub mod quantity;

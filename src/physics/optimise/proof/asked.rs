@@ -1,6 +1,7 @@
 //! What a proof asks of designs: measures of a problem at some speeds, as lower bounds over boxes.
 
 use super::form::Form;
+use super::pairs::{Pair, PairOver};
 use super::verdict::Reason;
 use crate::absorber::{Host, Law, Mounted, Operating};
 use crate::crankshaft::Torque;
@@ -14,28 +15,31 @@ use crate::optimise::problem::Role;
 use crate::optimise::{Problem, Row};
 use crate::response::Quantity;
 use crate::response::enclosed::{BaseAtSpeed, Enclosed};
+use crate::response::pair::Quotient;
 use std::sync::Arc;
 
 /// A load case with the absorbers of a design there: their laws are those of all designs of the family.
 pub(super) struct Case<'a> {
     /// Index among the load cases of the problem.
     pub index: usize,
-    finder: &'a PeakFinder<'a>,
+    pub finder: &'a PeakFinder<'a>,
     absorbers: Vec<Mounted>,
     stations: Vec<usize>,
+    /// Whether quotients are made: of two parameters of one absorber linear functions say enough.
+    by_quotients: bool,
     /// What is asked here.
-    parts: Vec<Part<'a>>,
+    pub parts: Vec<Part<'a>>,
     /// Their quantities, each once.
-    quantities: Vec<Quantity>,
+    pub quantities: Vec<Quantity>,
 }
 
 /// A measure that must not reach a value.
-struct Part<'a> {
-    role: Role,
-    measure: &'a Measure,
-    most: f64,
+pub(super) struct Part<'a> {
+    pub role: Role,
+    pub measure: &'a Measure,
+    pub most: f64,
     /// Where its quantities stand in the list of the case.
-    quantities: Vec<usize>,
+    pub quantities: Vec<usize>,
 }
 
 /// A load case at one speed.
@@ -43,7 +47,16 @@ pub(super) struct AtSpeed {
     /// Index of the case.
     pub case: usize,
     pub speed_rpm: f64,
-    base: BaseAtSpeed,
+    pub base: BaseAtSpeed,
+    /// What the quantities of the chain are with two absorbers, or one, order after order; nothing where that is not looked at.
+    pub quotients: Vec<Vec<Quotient>>,
+}
+
+impl AtSpeed {
+    /// Whether absorbers are looked at as quotients.
+    pub fn is_pair(&self) -> bool {
+        !self.quotients.is_empty()
+    }
 }
 
 /// What a problem asks, in the load cases that have an enclosure. `target`: what an objective must not reach, in the unit of the problem; `None` where only limits count.
@@ -79,7 +92,15 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
         let absorbers = case.absorbers_at_few_speeds(&own);
         let mut stations: Vec<usize> = absorbers.iter().filter_map(|m| if let Host::Station(s) = m.on { Some(s) } else { None }).collect();
         stations.dedup();
-        let mut found = Case { index, finder: case.finder, absorbers, stations, parts: Vec::new(), quantities: Vec::new() };
+        let mut found = Case {
+            index,
+            finder: case.finder,
+            absorbers,
+            stations,
+            by_quotients: own.len() == 2 || problem.space.variables.len() > 2,
+            parts: Vec::new(),
+            quantities: Vec::new(),
+        };
         for (role, limit) in &asked {
             for (measure, unit) in case.parts_of(limit).filter(|p| has_bound(p.0, case.finder)) {
                 // what is beyond a limit by rounding holds it
@@ -132,7 +153,14 @@ impl Case<'_> {
             return None;
         }
         let base = BaseAtSpeed::new(&self.finder.direct, &self.stations, &self.quantities, speed_rpm)?;
-        Some(AtSpeed { case, speed_rpm, base })
+        let of = |m: &Mounted| self.stations.iter().position(|s| m.on == Host::Station(*s));
+        let quotients = match self.absorbers.as_slice() {
+            _ if !self.by_quotients => Vec::new(),
+            [a] => of(a).map_or_else(Vec::new, |a| base.quotients([a, a])),
+            [a, b] => of(a).zip(of(b)).map_or_else(Vec::new, |(a, b)| base.quotients([a, b])),
+            _ => Vec::new(),
+        };
+        Some(AtSpeed { case, speed_rpm, base, quotients })
     }
 
     /// Whether a row of a problem is of what is asked here.
@@ -146,14 +174,21 @@ impl Case<'_> {
         self.absorbers.iter().zip(values).map(one).collect()
     }
 
-    /// Lower bounds of what is asked at a speed over a box; `None` where a design of it may be without finite response.
-    pub fn forms(&self, at: &AtSpeed, absorbers: &[Enclosed], forms: &mut Vec<Form>) -> Option<()> {
+    /// Lower bounds of what is asked at a speed over a box; `None` where a design of it may be without finite response, but for two absorbers.
+    pub fn forms(&self, at: &AtSpeed, (absorbers, both): (&[Enclosed], &Pair), forms: &mut Vec<Form>) -> Option<()> {
         let (orders, none) = (at.base.orders(), [Taylor::constant(ZERO); 2]);
         if orders == 0 {
             return Some(());
         }
         let mut phasors = vec![vec![none; orders]; self.quantities.len()];
-        at.base.phasors(absorbers, &self.quantities, |i, order, y| phasors[i][order] = y)?;
+        let mut pair = None;
+        for order in 0..orders {
+            if at.base.phasors_of(order, absorbers, &self.quantities, |i, y| phasors[i][order] = y).is_none() {
+                let own = pair.get_or_insert_with(|| PairOver::of(at, both));
+                let own = own.as_ref()?;
+                phasors.iter_mut().enumerate().for_each(|(i, y)| y[order][0] = own.unknown(order, i));
+            }
+        }
         for part in self.parts.iter().filter(|p| p.measure.within.holds(at.speed_rpm)) {
             let factor = part.measure.within.weight(at.speed_rpm) / part.most;
             let mut put = |form: Form| {
@@ -182,7 +217,9 @@ impl Case<'_> {
                     }
                     Over::Statistic(statistic) => put(weighted(&|n| centres[n].conj() * (statistic.0.slope)(&centres, n))),
                     over => {
-                        let sum = Sum { own, centres: &centres, extremes: self.finder.synthesiser.extremes(&centres), finder: self.finder };
+                        let extremes = self.finder.synthesiser.extremes(&centres);
+                        let pair = pair.as_ref().and_then(Option::as_ref).map(|p| (p, *q));
+                        let sum = Sum { own, centres: &centres, extremes, finder: self.finder, pair };
                         let form = match (over, self.quantities[*q]) {
                             (Over::Margin(criterion), Quantity::ShaftTorque(shaft)) => sum.used((criterion, shaft), at.speed_rpm),
                             (Over::Strain, Quantity::RingTwist(i)) => {
@@ -209,6 +246,8 @@ struct Sum<'s> {
     /// Of the sum in the middle.
     extremes: Extremes,
     finder: &'s PeakFinder<'s>,
+    /// Two absorbers with the index of the quantity, where an order has no model.
+    pair: Option<(&'s PairOver<'s>, usize)>,
 }
 
 impl Sum<'_> {
@@ -216,7 +255,11 @@ impl Sum<'_> {
     fn at_extremes(&self, (of_max, of_min): (f64, f64)) -> Form {
         let harmonics = self.finder.system.excitation.harmonics.iter().map(|h| f64::from(*h));
         let by = harmonics.map(|h| of_max * turn(h * self.extremes.angle_max) + of_min * turn(h * self.extremes.angle_min));
-        Form::of_sum(self.own.iter().map(|y| y[0]).zip(by))
+        let terms = self.own.iter().map(|y| y[0]).zip(by);
+        match self.pair {
+            None => Form::of_sum(terms),
+            Some((pair, quantity)) => pair.sum(quantity, terms),
+        }
     }
 
     /// Half its range is at least half the difference between two angles.
@@ -230,9 +273,10 @@ impl Sum<'_> {
         let torque = Torque { extremes: self.extremes, phasors: self.centres };
         let used = self.finder.margin?.most_used(criterion, shaft, speed_rpm, &torque)?;
         let (of_max, of_min) = (0.5 * (used.slopes.0 + used.slopes.1), 0.5 * (used.slopes.1 - used.slopes.0));
-        let moved: f64 = self.own.iter().map(|y| y[0].reach()).sum();
+        let beyond = of_min.max(0.0) - of_max.min(0.0);
+        let moved = if beyond > 0.0 { beyond * self.own.iter().map(|y| y[0].reach()).sum::<f64>() } else { 0.0 };
         let mut form = self.at_extremes((of_max.max(0.0), of_min.min(0.0)));
-        form.value += used.value * (1.0 - TANGENT) - form.middle - moved * (of_min.max(0.0) - of_max.min(0.0));
+        form.value += used.value * (1.0 - TANGENT) - form.middle - moved;
         form.middle = used.value;
         Some(form)
     }

@@ -2,12 +2,14 @@
 
 use super::asked::{self, AtSpeed, Case};
 use super::form::{Form, least_of_largest};
+use super::pairs::{Pair, Seen};
 use super::verdict::{Effort, Found, Ranges, Reason, Verdict};
 use crate::numerics::C64;
 use crate::numerics::ranked::{ByRank, Ranked};
 use crate::numerics::taylor::{MOST, Taylor};
 use crate::objective::HELD;
 use crate::optimise::{Outcome, Problem, Row, Variable};
+use crate::response::pair::pair;
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 use std::collections::BinaryHeap;
@@ -76,6 +78,10 @@ pub(super) struct Search<'a> {
     excluded: Vec<u64>,
     /// Speeds that boxes are looked at, after their own.
     pub useful: Vec<u32>,
+    /// Whether absorbers are looked at as quotients.
+    pub is_pair: bool,
+    /// Whether nothing but amplitudes of single orders of the chain is asked for, and all absorbers are.
+    pub amplitudes_alone: bool,
 }
 
 /// Proves that no design is below an optimum by more than the gap, or finds one; of an optimum that breaks a limit, that no design holds all limits.
@@ -100,8 +106,10 @@ pub(super) fn prove(problem: &Problem, optimum: &Outcome, effort: Effort, boxes:
 impl<'a> Search<'a> {
     /// With the speeds of the peaks of an optimum, and some of the range.
     pub fn new(problem: &'a Problem<'a>, cases: Vec<Case<'a>>, optimum: &Outcome) -> Self {
-        let mut search = Self { problem, cases, speeds: Vec::new(), excluded: Vec::new(), useful: Vec::new() };
+        let mut search =
+            Self { problem, cases, speeds: Vec::new(), excluded: Vec::new(), useful: Vec::new(), is_pair: false, amplitudes_alone: false };
         search.first_speeds(optimum);
+        (search.is_pair, search.amplitudes_alone) = search.of_pairs();
         search
     }
 
@@ -154,8 +162,10 @@ impl<'a> Search<'a> {
         if let Looked::Open(cell) = self.look_at(whole, None, 0)? {
             open.push(ByRank(cell));
         }
-        while !open.is_empty() && *boxes < effort.boxes && unexplained < UNEXPLAINED {
-            let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| Some(open.pop()?.0)).collect();
+        while !open.is_empty() && *boxes + 1 < effort.boxes && unexplained < UNEXPLAINED {
+            // each leaves two
+            let together = TOGETHER.min(((effort.boxes - *boxes) / 2) as usize);
+            let cut: Vec<Cell> = (0..together).map_while(|_| Some(open.pop()?.0)).collect();
             let halves: Vec<(Bounds, &Cell)> =
                 cut.iter().flat_map(|cell| halves(&cell.bounds, cell.along).map(|half| (half, cell))).collect();
             let age = *boxes;
@@ -233,13 +243,20 @@ impl<'a> Search<'a> {
         let values = self.values(&bounds);
         let absorbers = self.cases.iter().map(|c| c.enclosed(&values)).collect::<Result<Vec<_>, Reason>>()?;
         let known: &[u32] = parent.map_or(&[], |p| &p.speeds);
-        let others = self.useful.iter().copied().filter(|s| !known.contains(s));
+        let others = || self.useful.iter().copied().filter(|s| !known.contains(s));
+        let all: Vec<u32> = known.iter().copied().chain(others()).collect();
+        let pairs: Vec<Pair> = absorbers.iter().map(|a| if self.is_pair { pair(a) } else { None }).collect();
+        let Seen { amplitudes, foremost } = match self.seen(&pairs, &all) {
+            Ok(seen) => seen,
+            Err(speed) => return Ok(Looked::Excluded(Some(speed))),
+        };
         let mut forms: Vec<Form> = Vec::new();
-        let mut said: Vec<(f64, u32)> = Vec::new();
-        let mut bound = parent.map_or(f64::NEG_INFINITY, |p| p.bound);
-        for (i, s) in known.iter().copied().chain(others).enumerate() {
+        let mut said: Vec<(f64, u32)> = amplitudes.iter().map(|a| (a.middle, a.speed)).collect();
+        let largest = |own: bool| amplitudes.iter().filter(|a| !own || a.is_objective).map(|a| a.least).fold(f64::NEG_INFINITY, f64::max);
+        let mut bound = parent.map_or(f64::NEG_INFINITY, |p| p.bound).max(largest(false));
+        for (i, s) in foremost.into_iter().enumerate() {
             let (at, first) = (&self.speeds[s as usize], forms.len());
-            let found = self.cases[at.case].forms(at, &absorbers[at.case], &mut forms);
+            let found = self.cases[at.case].forms(at, (&absorbers[at.case], &pairs[at.case]), &mut forms);
             let most = |of: &dyn Fn(&Form) -> f64| forms[first..].iter().map(of).fold(f64::NEG_INFINITY, f64::max);
             bound = bound.max(most(&Form::least));
             if bound >= 1.0 {
@@ -253,17 +270,32 @@ impl<'a> Search<'a> {
                 }
             }
         }
+        let mut linear = self.linear(&pairs, &amplitudes);
+        if !linear.is_empty() {
+            linear.extend(&forms);
+            if least_of_largest(&mut linear) >= 1.0 {
+                return Ok(Looked::Excluded(None));
+            }
+        }
         bound = bound.max(least_of_largest(&mut forms));
         if bound >= 1.0 {
             return Ok(Looked::Excluded(None));
         }
         let mut objectives: Vec<Form> = forms.iter().copied().filter(|f| f.is_objective).collect();
-        let of_objectives = least_of_largest(&mut objectives).max(parent.map_or(f64::NEG_INFINITY, |p| p.of_objectives));
+        let of_objectives = least_of_largest(&mut objectives).max(largest(true)).max(parent.map_or(f64::NEG_INFINITY, |p| p.of_objectives));
         said.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let middle = forms.iter().map(|f| f.middle).fold(f64::NEG_INFINITY, f64::max);
+        let middle = said.iter().map(|s| s.0).fold(f64::NEG_INFINITY, f64::max);
         let unknown = said.iter().filter(|s| s.0 == f64::NEG_INFINITY).count();
-        let along = along(&bounds, if 2 * unknown > said.len() { &[] } else { &forms });
-        let speeds = said.into_iter().map(|s| s.1).take(FIRST).collect();
+        let mut speeds: Vec<u32> = Vec::with_capacity(FIRST);
+        for s in said.iter().map(|s| s.1) {
+            if speeds.len() < FIRST && !speeds.contains(&s) {
+                speeds.push(s);
+            }
+        }
+        let along = match self.is_pair {
+            true => self.best_cut(&bounds, &speeds),
+            false => along(&bounds, if 2 * unknown > said.len() { &[] } else { &forms }),
+        };
         Ok(Looked::Open(Cell { bounds, bound, of_objectives, middle, speeds, along, age }))
     }
 

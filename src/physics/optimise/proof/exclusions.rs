@@ -51,6 +51,10 @@ pub fn exclusions(problem: &Problem, optimum: &Outcome, effort: Effort, work: &m
     let target = optimum.rows.hold().then_some(value * (1.0 - SEARCHED * effort.gap));
     let cases = asked::cases(problem, &optimum.point, target).ok()?;
     let mut search = Search::new(problem, cases, optimum);
+    // what excludes two absorbers is no share of speeds
+    if search.is_pair {
+        return None;
+    }
     let mut boxes = 0;
     match search.run(value, target, (effort, &mut boxes), work).ok()? {
         Found::Ended(_, Verdict::Proved | Verdict::Impossible) => {}
@@ -103,7 +107,7 @@ impl Search<'_> {
             }
             let at = &self.speeds[s as usize];
             own.clear();
-            self.cases[at.case].forms(at, &absorbers[at.case], &mut own);
+            self.cases[at.case].forms(at, (&absorbers[at.case], &None), &mut own);
             // what an objective must not reach is a little less than what was searched for, and a limit is a little more
             for form in own.drain(..).map(|f| f.times(if f.is_objective { 1.0 / least } else { 1.0 / BEYOND_LIMIT })) {
                 if form.least() >= 1.0 {

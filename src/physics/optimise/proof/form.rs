@@ -41,6 +41,21 @@ impl Form {
         form
     }
 
+    /// A number of which nothing is known but what it is in the middle.
+    pub(super) fn unknown(middle: C64) -> Self {
+        Self { value: f64::NEG_INFINITY, middle: middle.re, ..Self::default() }
+    }
+
+    /// The sum.
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        let mut sum = *self;
+        sum.value += other.value;
+        sum.middle += other.middle;
+        sum.slopes.iter_mut().zip(&other.slopes).for_each(|(a, b)| *a += b);
+        sum.spread.iter_mut().zip(&other.spread).for_each(|(a, b)| *a += b);
+        sum
+    }
+
     /// The imaginary part of a sum of products with the conjugates of others, times numbers.
     pub(super) fn of_products(terms: impl Iterator<Item = (Taylor, Taylor, f64)>) -> Self {
         let mut form = Self::default();

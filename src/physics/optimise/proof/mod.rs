@@ -15,6 +15,7 @@ mod boxes;
 mod exclusions;
 mod form;
 mod over_speeds;
+mod pairs;
 mod settle;
 mod verdict;
 mod worst;

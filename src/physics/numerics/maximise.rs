@@ -53,6 +53,9 @@ impl Met {
     }
 }
 
+/// A cost that ends a search: the target of argmin where none is given. An error would end it as well, but it keeps a backtrace where `RUST_BACKTRACE` is set, which takes longer than the search.
+const ENDS: f64 = f64::NEG_INFINITY;
+
 struct Negated<'a, F, E> {
     f: RefCell<&'a mut F>,
     failure: &'a RefCell<Option<E>>,
@@ -72,13 +75,13 @@ impl<F: FnMut(f64) -> Result<f64, E>, E> CostFunction for Negated<'_, F, E> {
                 let mut met = self.met.get();
                 met.put(x, value);
                 self.met.set(met);
-                if self.heeds_ends && met.heads_for().is_some() { Err(Error::msg("the end decides")) } else { Ok(-value) }
+                Ok(if self.heeds_ends && met.heads_for().is_some() { ENDS } else { -value })
             }
             // argmin cannot go on from infinity; a function with a pole is expected to return an error there
             Ok(_) => Ok(0.0),
             Err(e) => {
                 *self.failure.borrow_mut() = Some(e);
-                Err(Error::msg("the function failed"))
+                Ok(ENDS)
             }
         }
     }
@@ -112,7 +115,7 @@ fn brent<E>((a, b): (f64, f64), tolerance: f64, heeds_ends: bool, f: &mut impl F
     let centre = 0.5 * (a + b);
     let problem = Negated { f: RefCell::new(f), failure: &failure, centre, met: &met, heeds_ends };
     let solver = BrentOpt::new(a - centre, b - centre).set_tolerance(f64::EPSILON.sqrt(), tolerance);
-    // The only errors argmin can report here are those of `f`, kept in `failure`, and an end that decides; what was met is kept on this side too.
+    // What was met is kept on this side, an error of `f` in `failure`: argmin reports none.
     drop(Executor::new(problem, solver).configure(|s| s.max_iters(60)).timer(false).run());
     failure.into_inner().map_or_else(|| Ok(met.get()), Err)
 }

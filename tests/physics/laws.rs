@@ -170,15 +170,15 @@ fn energy(s: &Study, sys: &System, design: &[Mounted], what: &str) {
 fn methods_and_gradients_of_pairs() {
     let s = study("villalva_i6_thesis");
     let sys = system(&s);
-    for a in laws_of_small_twist() {
+    for (i, a) in laws_of_small_twist().enumerate() {
         check_methods(&s, &sys, &[(a, Host::Station(0))]);
         check_gradients(&s, &sys, &[(a, Host::Station(0))]);
-        for b in laws_of_small_twist() {
-            for on in [Host::Station(0), Host::Station(3), Host::Ring(0)] {
-                check_methods(&s, &sys, &[(a, Host::Station(0)), (b, on)]);
-            }
-            check_gradients(&s, &sys, &[(a, Host::Station(0)), (b, Host::Station(3))]);
-            check_gradients(&s, &sys, &[(a, Host::Station(0)), (b, Host::Ring(0))]);
+        // each pair in one arrangement, each law in all of them
+        for (j, b) in laws_of_small_twist().enumerate() {
+            let on = [Host::Station(0), Host::Station(3), Host::Ring(0)][(i + j) % 3];
+            check_methods(&s, &sys, &[(a, Host::Station(0)), (b, on)]);
+            let on = [Host::Station(3), Host::Ring(0)][(i + j) % 2];
+            check_gradients(&s, &sys, &[(a, Host::Station(0)), (b, on)]);
         }
     }
 }

@@ -114,7 +114,7 @@ fn optima_hold_the_rule_at_excepted_speeds() {
         let rule = format!("shaft_stress = {{ shaft = \"throw_6\", outer_diameter_mm = {diameter}, iacs_m68 = {{ {of} }}, {speeds} }}");
         let ring = "[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\n";
         let bounds = "stiffness_n_m_per_rad.between = [1e4, 1e6]\ndamping_n_m_s_per_rad.between = [1, 300]\n";
-        let mut s = study_of(&rule, &format!("[optimise]\nrandom_starts = 2\n{ring}{bounds}"));
+        let mut s = study_of(&rule, &format!("[optimise]\nrandom_starts = 2\nprove = {{ boxes = 0 }}\n{ring}{bounds}"));
         let designs = (0..225).map(|i| {
             let (k, c) = (1e4 * 100f64.powf(f64::from(i % 15) / 14.0), 300f64.powf(f64::from(i / 15) / 14.0));
             let ring = Tuned { ring_inertia: 0.076, stiffness: k, damping: c };

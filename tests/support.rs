@@ -9,7 +9,8 @@ use hartog::engine::{Engine, Excitation, Layout, Order, Source};
 use hartog::input::Study;
 use hartog::numerics::C64;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// Fails unless |actual - expected| <= atol + rtol |expected|.
 #[track_caller]
@@ -90,13 +91,27 @@ pub fn hartog() -> Command {
     c
 }
 
+/// The folder and the screen of `hartog compare` of all publications, made once for all tests.
+pub fn compared() -> &'static (PathBuf, String) {
+    static RUN: OnceLock<(PathBuf, String)> = OnceLock::new();
+    RUN.get_or_init(|| {
+        // nothing removes what a static holds: the next run takes the place of this one
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compared");
+        if folder.exists() {
+            fs::remove_dir_all(&folder).expect("removed");
+        }
+        let output = hartog().args(["compare", "--out"]).arg(&folder).assert().code(0).get_output().stdout.clone();
+        (folder, String::from_utf8(output).expect("text"))
+    })
+}
+
 /// The text of a file that a command wrote.
 pub fn read(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
 /// A copy of a shipped study with some text replaced, beside its engines and published tables.
-pub fn variant(folder: &Path, name: &str, changes: &[(&str, &str)]) -> std::path::PathBuf {
+pub fn variant(folder: &Path, name: &str, changes: &[(&str, &str)]) -> PathBuf {
     let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies");
     for part in ["engines", "published"] {
         fs::create_dir_all(folder.join(part)).expect("writable");

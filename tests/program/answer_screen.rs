@@ -107,7 +107,7 @@ fn a_limit_names_a_condition_that_it_is_held_to() {
         let study = format!(
             "engine = {engine:?}\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\nconditions = {listed}\n[[objective]]\n\
              peak_twist = {{ from = \"pulley\", to = \"flywheel\" }}\n[[constraint]]\nvibratory_torque = {{ max_n_m = 4000 }}\n[optimise]\n\
-             conditions = {held}\nrandom_starts = 0\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\n\
+             conditions = {held}\nrandom_starts = 0\nprove = {{ boxes = 0 }}\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\n\
              size.ring_inertia_kg_m2.fixed = 0.076\n"
         );
         let path = folder.path().join("study.toml");
@@ -179,7 +179,7 @@ fn limits_hold_cold_and_hot() {
 fn limits_broken_within_tolerances_are_told() {
     let engine = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
     let study = format!(
-        "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\n[[constraint]]\nvibratory_torque = {{ max_n_m = 2080 }}\n[optimise]\nrandom_starts = 0\n\
+        "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\n[[constraint]]\nvibratory_torque = {{ max_n_m = 2080 }}\n[optimise]\nrandom_starts = 0\nprove = {{ boxes = 0 }}\n\
          [[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\n[robust]\ntolerance = {{ stiffness_n_m_per_rad = 0.1 }}\n",
         engine.display()
     );

@@ -275,7 +275,7 @@ fn a_question_names_the_conditions_of_its_limits() {
     let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
     let text = format!(
         "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 200 }}\norder_limit = 6\n\n[[objective]]\nring_inertia = {{}}\n\n\
-         [[constraint]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\", max_deg = 0.6 }}\n\n[optimise]\nconditions = [\"firing\", \"misfire\"]\nrandom_starts = 0\n\
+         [[constraint]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\", max_deg = 0.6 }}\n\n[optimise]\nconditions = [\"firing\", \"misfire\"]\nrandom_starts = 0\nprove = {{ boxes = 0 }}\n\
          [[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.between = [0.005, 0.15]\n",
         engine.display()
     );

@@ -4,6 +4,7 @@ use crate::campaigns::{hartog, planned, rows, run, said};
 use crate::support::{golden, scanned};
 use nalgebra::Complex;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
 
 type C64 = Complex<f64>;
 
@@ -44,13 +45,16 @@ impl Primary {
             Damping::Viscous(c) => C64::new(k, c * omega),
             Damping::Loss(factor) => C64::new(k, k * factor),
         };
-        (C64::from(1.0) / (own + beside + appended(spring, RING))).norm()
+        // `norm` guards against overflow, which costs more than all the rest
+        (own + beside + appended(spring, RING)).norm_sqr().sqrt().recip()
     }
 
     /// The largest over the speeds: by a scan, and a search round each maximum of it that could win.
     fn peak(self, damper: (f64, Damping)) -> f64 {
         const POINTS: usize = 600;
-        let omega = |i: usize| SPEEDS[0] * (SPEEDS[1] / SPEEDS[0]).powf(i as f64 / POINTS as f64);
+        static OMEGA: LazyLock<Vec<f64>> =
+            LazyLock::new(|| (0..=POINTS).map(|i| SPEEDS[0] * (SPEEDS[1] / SPEEDS[0]).powf(i as f64 / POINTS as f64)).collect());
+        let omega = |i: usize| OMEGA[i];
         let all: Vec<f64> = (0..=POINTS).map(|i| self.at(damper, omega(i))).collect();
         let best = all.iter().copied().fold(0.0, f64::max);
         let tops = (1..POINTS).filter(|i| all[*i] > 0.9 * best && all[*i] >= all[i - 1] && all[*i] >= all[i + 1]);

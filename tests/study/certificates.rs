@@ -88,6 +88,7 @@ fn starts_of_alike_rings() {
     let starts = |limited: bool| -> Vec<String> {
         let mut s = study("villalva_v10_limits");
         s.front = None;
+        s.refine_peaks = false;
         s.limits.retain(|l| limited && l.words.contains("absorber 1"));
         let mut found = s.run().unwrap_or_else(|e| panic!("{e}")).optima;
         found.remove(0).optimum.starts.into_iter().map(|s| s.name).collect()

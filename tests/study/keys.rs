@@ -161,8 +161,8 @@ fn ranges_of_the_schema_are_no_narrower_than_those_of_the_reader() {
         });
         for (i, (start, _)) in starts.enumerate() {
             let end = text[start..].find(|c| !number(c)).map_or(text.len(), |n| start + n);
-            // two of the values, others at each number
-            for value in (0..2).map(|k| VALUES[(5 * i + 3 * k) % VALUES.len()]) {
+            // one of the values, another at each number
+            for value in [VALUES[5 * i % VALUES.len()]] {
                 let changed = format!("{}{value}{}", &text[..start], &text[end..]);
                 if self::value(&changed).is_none_or(|v| own.is_valid(&v)) {
                     continue;

@@ -63,7 +63,7 @@ fn best_of_grid(study: &Study, points: (usize, usize)) -> Option<f64> {
     let grid = Grid::new(&study.speeds_rpm, &sys.excitation.tabulated_rpm);
     let on = study.optimise.as_ref().expect("optimises").station(0);
     let method = Method::Receptance(Receptance::new(&sys, &grid, on, &[study.twist]));
-    let finder = PeakFinder::new(&sys, &grid, &method, true);
+    let finder = PeakFinder::new(&sys, &grid, &method, study.refine_peaks);
     let value = |at: &[f64]| -> Option<f64> {
         let design = free.design(on, at);
         let peak = |m: &Measure| finder.peak(&design, m, &mut Work::default()).ok().map(|p| p.map_or(0.0, |p| p.value));
@@ -139,7 +139,7 @@ fn beaten(study: &Study, points: (usize, usize)) -> Result<f64, String> {
 #[test]
 fn no_design_of_a_grid_beats_an_optimum_under_limits() {
     for name in ["one_damping", "two_limits", "rubber", "soft_rubber", "spring_pack"] {
-        if let Err(wrong) = beaten(&read(name), (500, 24)) {
+        if let Err(wrong) = beaten(&read(name), (250, 16)) {
             panic!("{name}: {wrong}");
         }
     }
@@ -180,7 +180,7 @@ fn limits_are_searched_in_operation() {
 #[test]
 fn an_optimum_is_searched_in_operation_where_a_study_asks_for_it() {
     let mut s = read("in_operation");
-    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(6).collect();
+    (s.speeds_rpm, s.order_limit, s.refine_peaks) = (s.speeds_rpm.iter().copied().step_by(6).collect(), 3.0, false);
     let twist = s.limits.remove(0).of;
     (s.objective, s.limits) = (twist, Vec::new());
     let judged = |s: &Study| {
@@ -356,10 +356,11 @@ fn no_grid_beats_an_optimum_of_random_engines_under_limits() {
 }
 
 /// Law: a point of a front over inertia is no worse than the optimum for its ring, searched by itself over all bounds. Under limits a heavier ring may do worse than a lighter one, and the branch that is followed need not be the
-/// best: at 88d4460 the eighth of these twelve points lay 1.6 % above.
+/// best: at 88d4460 the eighth of twelve points lay 1.6 % above, by all speeds and orders of the study, of which fewer are looked at here.
 #[test]
 fn a_front_under_limits_is_no_worse_than_its_optima() {
-    let study = read("front");
+    let mut study = read("front");
+    (study.speeds_rpm, study.order_limit, study.refine_peaks) = (study.speeds_rpm.iter().copied().step_by(3).collect(), 6.0, false);
     let front = analysis::run(&study, &Silent).unwrap_or_else(|e| panic!("{e}")).fronts.swap_remove(0).front;
     assert!(front.points.iter().any(|p| p.dominated), "a heavier ring does worse");
     for point in front.points.iter().skip(5).take(4) {

@@ -43,7 +43,7 @@ fn at(chain: &Chain, omega: f64) -> At {
 #[test]
 fn optima_of_the_largest_order_on_a_grid() {
     let mut s = study("villalva_i6");
-    s.speeds_rpm = (60..=320).map(|i| 10.0 * f64::from(i)).collect();
+    s.speeds_rpm = (30..=160).map(|i| 20.0 * f64::from(i)).collect();
     s.engine.layout.firing_deg.fill(0.0);
     let orders: Vec<Order> = system(&s).excitation.orders.clone();
     let harmonics = orders.iter().map(|o| (*o, C64::from(1.0))).collect();

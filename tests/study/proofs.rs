@@ -1,6 +1,7 @@
 //! Proofs that nothing within the bounds is better: against closed forms, brute force and tampering.
 
 use crate::limits::{TwoMasses, What, with};
+use crate::proof_tables::proved;
 use crate::support::{assert_close, h_infinity_peak, study};
 use hartog::absorber::{Declaration, MAXWELL, RUBBER, TUNED, VISCOUS};
 use hartog::analysis::families;
@@ -94,14 +95,7 @@ fn what_is_no_optimum_is_refuted() {
 #[test]
 fn shipped_engines_are_proved() {
     for name in ["villalva_i6", "villalva_v10"] {
-        let mut s = study(name);
-        (s.front, s.designs) = (None, Vec::new());
-        let o = s.optimise.as_mut().expect("optimises");
-        if let Size::Each(list) = &mut o.absorbers[0].size {
-            list.truncate(1);
-        }
-        o.prove = ProveSpec { effort: Effort { gap: 1e-4, boxes: 100_000 }, all: true, file: false };
-        let results = s.run().unwrap_or_else(|e| panic!("{e}"));
+        let results = &proved(name).1;
         assert_eq!(results.optima.len(), 4, "tuned and viscous, by twist and by margin");
         for o in &results.optima {
             let proof = o.proof.as_ref().expect("asked for");

@@ -283,8 +283,9 @@ fn temperatures_in_balance() {
             let missing = |celsius: f64| celsius - air - power(celsius) / conductance;
             let n = 20_000;
             let at = |i: usize| air + (limit - air) * i as f64 / f64::from(n);
+            let excess: Vec<bool> = (0..=n as usize).map(|i| missing(at(i)) > 0.0).collect();
             let expected: Vec<f64> = (0..n as usize)
-                .filter(|i| missing(at(*i)) <= 0.0 && missing(at(i + 1)) > 0.0 || missing(at(*i)) > 0.0 && missing(at(i + 1)) <= 0.0)
+                .filter(|i| excess[*i] != excess[i + 1])
                 .map(|i| {
                     let (mut a, mut b) = (at(i), at(i + 1));
                     let rises = missing(b) > 0.0;

@@ -239,7 +239,7 @@ fn stroke_displacement_and_power() {
 fn a_crank_and_its_absorber() {
     let mut study = read_sizing(Path::new("studies/fialho_four.toml")).expect("a sizing file");
     study.front = vec![2e-4, 2e-3];
-    study.speeds_rpm = study.speeds_rpm.into_iter().step_by(20).collect();
+    study.speeds_rpm = study.speeds_rpm.into_iter().step_by(20).filter(|s| *s >= 4500.0).collect();
     study.speed_step_rpm *= 20.0;
     study.by_response = true;
     let results = hartog::analysis::sizing::run(&study, &hartog::analysis::Silent).expect("sizes");

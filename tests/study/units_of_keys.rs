@@ -84,6 +84,9 @@ impl Case {
         }
         let step = &mut case.study["speed_rpm"].as_table_mut().expect("a table")["step"];
         *step = Value::Float(as_number(step) * if name.contains("villalva") { 40.0 } else { 1.0 });
+        if name.contains("villalva") {
+            case.study.insert("order_limit".into(), Value::Float(6.0));
+        }
         // two criteria: strengths and stresses scale alike in the others
         if let Some(fatigue) = case.study.get_mut("fatigue").and_then(Value::as_table_mut) {
             fatigue.insert("criteria".into(), Value::from(vec!["goodman", "crossland"]));

@@ -1,7 +1,8 @@
 //! What a proof asks of designs: measures of a problem at some speeds, as lower bounds over boxes.
 
+use super::at_speed::{AtSpeed, Pair, PairOver};
 use super::form::Form;
-use super::pairs::{Pair, PairOver};
+
 use super::verdict::Reason;
 use crate::absorber::{Host, Law, Mounted, Operating};
 use crate::crankshaft::Torque;
@@ -15,7 +16,6 @@ use crate::optimise::problem::Role;
 use crate::optimise::{Problem, Row};
 use crate::response::Quantity;
 use crate::response::enclosed::{BaseAtSpeed, Enclosed};
-use crate::response::pair::Quotient;
 use std::sync::Arc;
 
 /// A load case with the absorbers of a design there: their laws are those of all designs of the family.
@@ -40,23 +40,6 @@ pub(super) struct Part<'a> {
     pub most: f64,
     /// Where its quantities stand in the list of the case.
     pub quantities: Vec<usize>,
-}
-
-/// A load case at one speed.
-pub(super) struct AtSpeed {
-    /// Index of the case.
-    pub case: usize,
-    pub speed_rpm: f64,
-    pub base: BaseAtSpeed,
-    /// What the quantities of the chain are with two absorbers, or one, order after order; nothing where that is not looked at.
-    pub quotients: Vec<Vec<Quotient>>,
-}
-
-impl AtSpeed {
-    /// Whether absorbers are looked at as quotients.
-    pub fn is_pair(&self) -> bool {
-        !self.quotients.is_empty()
-    }
 }
 
 /// What a problem asks, in the load cases that have an enclosure. `target`: what an objective must not reach, in the unit of the problem; `None` where only limits count.

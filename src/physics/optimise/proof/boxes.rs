@@ -1,15 +1,14 @@
 //! Branch and bound over the box of the free parameters: the box that says least is cut first.
 
-use super::asked::{self, AtSpeed, Case};
+use super::asked::{self, Case};
+use super::at_speed::AtSpeed;
 use super::form::{Form, least_of_largest};
-use super::pairs::{Pair, Seen};
 use super::verdict::{Effort, Found, Ranges, Reason, Verdict};
 use crate::numerics::C64;
 use crate::numerics::ranked::{ByRank, Ranked};
 use crate::numerics::taylor::{MOST, Taylor};
 use crate::objective::HELD;
 use crate::optimise::{Outcome, Problem, Row, Variable};
-use crate::response::pair::pair;
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 use std::collections::BinaryHeap;
@@ -245,16 +244,17 @@ impl<'a> Search<'a> {
         let known: &[u32] = parent.map_or(&[], |p| &p.speeds);
         let others = || self.useful.iter().copied().filter(|s| !known.contains(s));
         let all: Vec<u32> = known.iter().copied().chain(others()).collect();
-        let pairs: Vec<Pair> = absorbers.iter().map(|a| if self.is_pair { pair(a) } else { None }).collect();
-        let Seen { amplitudes, foremost } = match self.seen(&pairs, &all) {
+        let pairs = self.pairs(&absorbers);
+        let seen = match self.seen(&pairs, &all) {
             Ok(seen) => seen,
             Err(speed) => return Ok(Looked::Excluded(Some(speed))),
         };
+        let amplitudes = &seen.amplitudes;
         let mut forms: Vec<Form> = Vec::new();
         let mut said: Vec<(f64, u32)> = amplitudes.iter().map(|a| (a.middle, a.speed)).collect();
         let largest = |own: bool| amplitudes.iter().filter(|a| !own || a.is_objective).map(|a| a.least).fold(f64::NEG_INFINITY, f64::max);
         let mut bound = parent.map_or(f64::NEG_INFINITY, |p| p.bound).max(largest(false));
-        for (i, s) in foremost.into_iter().enumerate() {
+        for (i, s) in seen.foremost.iter().copied().enumerate() {
             let (at, first) = (&self.speeds[s as usize], forms.len());
             let found = self.cases[at.case].forms(at, (&absorbers[at.case], &pairs[at.case]), &mut forms);
             let most = |of: &dyn Fn(&Form) -> f64| forms[first..].iter().map(of).fold(f64::NEG_INFINITY, f64::max);
@@ -270,7 +270,7 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        let mut linear = self.linear(&pairs, &amplitudes);
+        let mut linear = self.linear(&pairs, amplitudes);
         if !linear.is_empty() {
             linear.extend(&forms);
             if least_of_largest(&mut linear) >= 1.0 {

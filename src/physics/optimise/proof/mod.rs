@@ -11,6 +11,7 @@
 //! The value of the optimum itself is proved from above: between any two speeds its measure is nowhere higher by more than the gap.
 
 mod asked;
+mod at_speed;
 mod boxes;
 mod exclusions;
 mod form;

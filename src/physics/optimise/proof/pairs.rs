@@ -1,15 +1,15 @@
 //! Two absorbers, or one with more than two free parameters: what is known of a box although an order may have a pole in it.
 
-use super::asked::{AtSpeed, Case};
+use super::asked::Case;
+use super::at_speed::{Pair, PairOver};
 use super::boxes::{Bounds, Search, halves};
 use super::form::Form;
+use crate::numerics::C64;
 use crate::numerics::elementary::turn;
-use crate::numerics::taylor::Taylor;
-use crate::numerics::{C64, ZERO};
 use crate::objective::measure::Over;
 use crate::response::Quantity;
-use crate::response::enclosed::Corners;
-use crate::response::pair::{Coefficients, Loads, pair};
+use crate::response::enclosed::{Corners, Enclosed};
+use crate::response::pair::{Coefficients, pair};
 use std::f64::consts::FRAC_PI_4;
 
 /// Amplitudes that are below this share of what they must not reach in the middle of a box are not looked at over all of it.
@@ -22,17 +22,6 @@ const FOREMOST: usize = 8;
 const TRIED: usize = 4;
 /// What a factor of e in width counts among cuts, against what they raise the bound by.
 const WIDTH: f64 = 0.03;
-
-/// The absorbers of a case over a box, two or one; `None` where they are not looked at as quotients.
-pub(super) type Pair = Option<[Corners; 2]>;
-
-/// They at a speed.
-pub(super) struct PairOver<'s> {
-    pub at: &'s AtSpeed,
-    pair: &'s [Corners; 2],
-    /// Of each order.
-    loads: Vec<[Loads; 2]>,
-}
 
 /// An amplitude of one order that must not reach a size.
 #[derive(Debug, Clone, Copy)]
@@ -58,42 +47,9 @@ pub(super) struct Seen {
     pub foremost: Vec<u32>,
 }
 
-impl<'s> PairOver<'s> {
-    /// `None` where laws are no quotients.
-    pub fn of(at: &'s AtSpeed, pair: &'s Pair) -> Option<Self> {
-        let pair = pair.as_ref().filter(|_| at.is_pair())?;
-        Some(Self { at, pair, loads: (0..at.base.orders()).map(|order| at.base.loads(pair, order)).collect::<Option<_>>()? })
-    }
-
-    fn loads(&self, order: usize) -> [&Loads; 2] {
-        self.loads[order].each_ref()
-    }
-
-    /// An output of which nothing is known but its middle.
-    pub fn unknown(&self, order: usize, quantity: usize) -> Taylor {
-        Taylor { rest: f64::INFINITY, ..Taylor::constant(self.middle(order, quantity)) }
-    }
-
-    fn middle(&self, order: usize, quantity: usize) -> C64 {
-        self.at.quotients[order][quantity].middle(self.loads(order))
-    }
-
-    /// The real part of a sum of phasors times numbers: of each order the better of its model and of the least over the box.
-    pub fn sum(&self, quantity: usize, terms: impl Iterator<Item = (Taylor, C64)>) -> Form {
-        terms.enumerate().fold(Form::default(), |sum, (order, (y, by))| {
-            let own = if y.rest.is_finite() { Form::of_sum(std::iter::once((y, by))) } else { Form::unknown(y.centre * by) };
-            if by == ZERO {
-                return sum;
-            }
-            let least = self.at.quotients[order][quantity].least_along(self.loads(order), by);
-            sum.plus(&if least > own.least() { Form { value: least, middle: own.middle, ..Form::default() } } else { own })
-        })
-    }
-}
-
 impl Case<'_> {
     /// Whether nothing but amplitudes of single orders of the chain is asked for.
-    pub fn asks_amplitudes_alone(&self) -> bool {
+    pub(super) fn asks_amplitudes_alone(&self) -> bool {
         let is_one = self.finder.system.orders() <= 1;
         self.parts.iter().all(|p| {
             let is_amplitude = matches!(p.measure.over, Over::Orders | Over::Order(_)) || is_one && p.measure.over == Over::Synthesis;
@@ -174,7 +130,7 @@ impl Search<'_> {
     }
 
     /// Whether absorbers are looked at as quotients, and whether nothing but amplitudes of single orders of the chain is asked for; of one absorber linear functions say more unless that is so.
-    pub fn of_pairs(&self) -> (bool, bool) {
+    pub(super) fn of_pairs(&self) -> (bool, bool) {
         let values = self.values(&self.problem.space.bounds());
         let is_known = |(i, case): (usize, &Case)| {
             let both = case.enclosed(&values).ok().and_then(|absorbers| pair(&absorbers));
@@ -185,8 +141,13 @@ impl Search<'_> {
         (alone || self.problem.space.slots.len() > 1 && known.contains(&true), alone)
     }
 
+    /// The absorbers of each case.
+    pub(super) fn pairs(&self, absorbers: &[Vec<Enclosed>]) -> Vec<Pair> {
+        absorbers.iter().map(|a| if self.is_pair { pair(a) } else { None }).collect()
+    }
+
     /// What absorbers have at some speeds over a box; the speed of an amplitude or a sum that excludes it.
-    pub fn seen(&self, pairs: &[Pair], speeds: &[u32]) -> Result<Seen, u32> {
+    pub(super) fn seen(&self, pairs: &[Pair], speeds: &[u32]) -> Result<Seen, u32> {
         let mut seen = Seen { foremost: speeds.to_vec(), ..Seen::default() };
         // by what is known of sums over the box, and by what they are in the middle
         let mut sums: Vec<(f64, f64, u32)> = Vec::new();
@@ -215,7 +176,7 @@ impl Search<'_> {
     }
 
     /// Linear functions that are at least one only where an amplitude reaches its size: of those that are largest in the middle.
-    pub fn linear(&self, pairs: &[Pair], amplitudes: &[Amplitude]) -> Vec<Form> {
+    pub(super) fn linear(&self, pairs: &[Pair], amplitudes: &[Amplitude]) -> Vec<Form> {
         let mut scratch = Coefficients::default();
         let mut of = |a: &Amplitude| {
             let over = self.over(a.speed, pairs)?;
@@ -228,7 +189,7 @@ impl Search<'_> {
     }
 
     /// The coordinate along which a cut raises most what is known at some speeds, wide ones before narrow ones.
-    pub fn best_cut(&self, bounds: &Bounds, speeds: &[u32]) -> usize {
+    pub(super) fn best_cut(&self, bounds: &Bounds, speeds: &[u32]) -> usize {
         let reached = |half: Bounds| {
             let values = self.values(&half);
             let Ok(absorbers) = self.cases.iter().map(|c| c.enclosed(&values)).collect::<Result<Vec<_>, _>>() else { return 0.0 };

@@ -194,7 +194,7 @@ fn quotients_are_bounds(boxes: u64, designs: usize, first: u64) -> [u64; 3] {
         let absorbers: Vec<Enclosed> =
             middle.iter().zip(&own).map(|(m, own)| Enclosed::of(m, own.models(), &distinct).expect("an enclosure")).collect();
         let both = pair(&absorbers).expect("two absorbers");
-        let all = base.quotients([0, distinct.len() - 1]);
+        let all = base.quotients([0, distinct.len() - 1], &quantities);
         let mut coefficients = Coefficients::default();
         let mut phasors = vec![Taylor::constant(C64::from(0.0)); 2];
         for (order, own) in all.iter().enumerate() {
@@ -202,6 +202,7 @@ fn quotients_are_bounds(boxes: u64, designs: usize, first: u64) -> [u64; 3] {
             let has_pole = base.phasors_of(order, &absorbers, &quantities, |i, y| phasors[i] = y[0]).is_none();
             let points: Vec<[f64; MOST]> = (0..designs).map(|_| point(&mut random)).collect();
             for (quantity, quotient) in quantities.iter().zip(own) {
+                let quotient = quotient.as_ref().expect("of the chain");
                 let exact =
                     |at: &[f64; MOST], q: Quantity| direct.order_at(&design(at), q, order, speed, &mut Work::default()).expect("no pole");
                 let direction = C64::from_polar(1.0, random.random_range(0.0..6.3));

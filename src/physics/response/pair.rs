@@ -5,7 +5,8 @@
 //! their places. Where d and n are linear in each parameter, |N|² and |D|² are polynomials of second degree in each of them, which lie between the least and the largest of their Bernstein coefficients
 //! over a box \[Garloff 1986\]. So |N/D| is at least a number wherever |N|² less its square times |D|² has no negative coefficient, whether D vanishes in the box or not.
 
-use super::enclosed::{BaseAtSpeed, Corners, Enclosed, Point};
+use super::Quantity;
+use super::enclosed::{BaseAtSpeed, Corners, Enclosed, Output, Point};
 use crate::absorber::Operating;
 use crate::numerics::taylor::{MOST, ROUNDING, Taylor};
 use crate::numerics::{C64, I, ZERO};
@@ -204,7 +205,7 @@ impl Quotient {
                 least = smaller(least, ratio(above, below));
             }
         }
-        if least > 0.0 { least.sqrt() } else { 0.0 }
+        if least > 0.0 { least.sqrt() * (1.0 - ROUNDINGS) } else { 0.0 }
     }
 
     /// The real part of it times a number is nowhere below this over a box: minus infinity where it may have a pole.
@@ -230,7 +231,8 @@ impl Quotient {
                 least = smaller(least, above / below);
             }
         }
-        least
+        // with that of a sum of some tens of them
+        least - ROUNDINGS * least.abs()
     }
 }
 
@@ -293,8 +295,8 @@ fn side(parameter: usize, place: usize) -> f64 {
 }
 
 impl Point {
-    /// The coefficients of the denominator and of the numerators of all quantities, for absorbers at two of its stations.
-    fn quotients(&self, [a, b]: [usize; 2]) -> Vec<Quotient> {
+    /// The quantities of the chain with absorbers at two of its stations; `None` of rings.
+    fn quotients(&self, [a, b]: [usize; 2], quantities: &[Quantity]) -> Vec<Option<Quotient>> {
         let (h, u) = (&self.receptances, &self.angles);
         let none = Taylor::constant(ZERO);
         let both = h[a][a].times(&h[b][b]).minus(&h[a][b].times(&h[b][a]));
@@ -307,14 +309,16 @@ impl Point {
             let all = || y.times(&both).minus(&by[a].times(&torque(a, b))).minus(&by[b].times(&torque(b, a)));
             [*y, with(a), with(b), if is_one { none } else { all() }]
         };
-        self.outputs.iter().map(|o| Quotient::new(of(&o.own, &o.by), denominator)).collect()
+        let is_of_ring = |q: &Quantity| matches!(q, Quantity::RingTwist(_));
+        let quotient = |(o, q): (&Output, &Quantity)| (!is_of_ring(q)).then(|| Quotient::new(of(&o.own, &o.by), denominator));
+        self.outputs.iter().zip(quantities).map(quotient).collect()
     }
 }
 
 impl BaseAtSpeed {
-    /// The quantities that the base was made for with absorbers at two of its stations, order after order; those of rings are zero.
-    pub fn quotients(&self, stations: [usize; 2]) -> Vec<Vec<Quotient>> {
-        self.points.iter().map(|p| p.quotients(stations)).collect()
+    /// The quantities that the base was made for with absorbers at two of its stations, order after order; `None` of rings.
+    pub fn quotients(&self, stations: [usize; 2], quantities: &[Quantity]) -> Vec<Vec<Option<Quotient>>> {
+        self.points.iter().map(|p| p.quotients(stations, quantities)).collect()
     }
 
     /// Two absorbers at an order over their box; `None` where there is no polynomial of theirs.

@@ -139,8 +139,8 @@ impl Case<'_> {
         let of = |m: &Mounted| self.stations.iter().position(|s| m.on == Host::Station(*s));
         let quotients = match self.absorbers.as_slice() {
             _ if !self.by_quotients => Vec::new(),
-            [a] => of(a).map_or_else(Vec::new, |a| base.quotients([a, a])),
-            [a, b] => of(a).zip(of(b)).map_or_else(Vec::new, |(a, b)| base.quotients([a, b])),
+            [a] => of(a).map_or_else(Vec::new, |a| base.quotients([a, a], &self.quantities)),
+            [a, b] => of(a).zip(of(b)).map_or_else(Vec::new, |(a, b)| base.quotients([a, b], &self.quantities)),
             _ => Vec::new(),
         };
         Some(AtSpeed { case, speed_rpm, base, quotients })
@@ -170,6 +170,9 @@ impl Case<'_> {
                 let own = pair.get_or_insert_with(|| PairOver::of(at, both));
                 let own = own.as_ref()?;
                 phasors.iter_mut().enumerate().for_each(|(i, y)| y[order][0] = own.unknown(order, i));
+                if !phasors.iter().all(|y| y[order][0].centre.is_finite()) {
+                    return None;
+                }
             }
         }
         for part in self.parts.iter().filter(|p| p.measure.within.holds(at.speed_rpm)) {

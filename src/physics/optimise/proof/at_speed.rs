@@ -13,7 +13,7 @@ pub(super) struct AtSpeed {
     pub speed_rpm: f64,
     pub base: BaseAtSpeed,
     /// What the quantities of the chain are with two absorbers, or one, order after order; nothing where that is not looked at.
-    pub quotients: Vec<Vec<Quotient>>,
+    pub quotients: Vec<Vec<Option<Quotient>>>,
 }
 
 impl AtSpeed {
@@ -26,7 +26,7 @@ impl AtSpeed {
 /// The absorbers of a case over a box, two or one; `None` where they are not looked at as quotients.
 pub(super) type Pair = Option<[Corners; 2]>;
 
-/// They at a speed.
+/// The absorbers over a box at a speed.
 pub(super) struct PairOver<'s> {
     pub(super) at: &'s AtSpeed,
     pub(super) pair: &'s [Corners; 2],
@@ -45,23 +45,25 @@ impl<'s> PairOver<'s> {
         self.loads[order].each_ref()
     }
 
-    /// An output of which nothing is known but its middle.
-    pub(super) fn unknown(&self, order: usize, quantity: usize) -> Taylor {
-        Taylor { rest: f64::INFINITY, ..Taylor::constant(self.middle(order, quantity)) }
+    /// An output as a quotient; `None` of a ring.
+    pub(super) fn quotient(&self, order: usize, quantity: usize) -> Option<&'s Quotient> {
+        self.at.quotients[order][quantity].as_ref()
     }
 
-    pub(super) fn middle(&self, order: usize, quantity: usize) -> C64 {
-        self.at.quotients[order][quantity].middle(self.loads(order))
+    /// An output of which nothing is known but its middle, and not even that of a ring.
+    pub(super) fn unknown(&self, order: usize, quantity: usize) -> Taylor {
+        let middle = self.quotient(order, quantity).map_or(ZERO, |q| q.middle(self.loads(order)));
+        Taylor { rest: f64::INFINITY, ..Taylor::constant(middle) }
     }
 
     /// The real part of a sum of phasors times numbers: of each order the better of its model and of the least over the box.
     pub(super) fn sum(&self, quantity: usize, terms: impl Iterator<Item = (Taylor, C64)>) -> Form {
         terms.enumerate().fold(Form::default(), |sum, (order, (y, by))| {
-            let own = if y.rest.is_finite() { Form::of_sum(std::iter::once((y, by))) } else { Form::unknown(y.centre * by) };
             if by == ZERO {
                 return sum;
             }
-            let least = self.at.quotients[order][quantity].least_along(self.loads(order), by);
+            let own = if y.rest.is_finite() { Form::of_sum(std::iter::once((y, by))) } else { Form::unknown(y.centre * by) };
+            let least = self.quotient(order, quantity).map_or(f64::NEG_INFINITY, |q| q.least_along(self.loads(order), by));
             sum.plus(&if least > own.least() { Form { value: least, middle: own.middle, ..Form::default() } } else { own })
         })
     }

@@ -53,7 +53,7 @@ impl Case<'_> {
         let is_one = self.finder.system.orders() <= 1;
         self.parts.iter().all(|p| {
             let is_amplitude = matches!(p.measure.over, Over::Orders | Over::Order(_)) || is_one && p.measure.over == Over::Synthesis;
-            is_amplitude && !p.quantities.iter().any(|q| self.is_of_ring(*q))
+            is_amplitude && !p.quantities.iter().any(|q| matches!(self.quantities[*q], Quantity::RingTwist(_)))
         })
     }
 
@@ -65,9 +65,13 @@ impl Case<'_> {
                 return None;
             }
             let factor = part.measure.within.weight(over.at.speed_rpm) / part.most;
-            for quantity in part.quantities.iter().copied().filter(|q| !self.is_of_ring(*q)) {
-                let phasors: Vec<C64> = (0..over.loads.len()).map(|order| over.middle(order, quantity)).collect();
-                most = f64::max(most, factor * of(quantity, &phasors));
+            for quantity in part.quantities.iter().copied() {
+                let middle = |order: usize| Some(over.quotient(order, quantity)?.middle(over.loads(order)));
+                let phasors: Option<Vec<C64>> = (0..over.loads.len()).map(middle).collect();
+                // in the very middle there may be a pole
+                if let Some(phasors) = phasors.filter(|all| all.iter().all(|y| y.is_finite())) {
+                    most = f64::max(most, factor * of(quantity, &phasors));
+                }
             }
         }
         Some(most)
@@ -84,34 +88,32 @@ impl Case<'_> {
             let extremes = self.finder.synthesiser.extremes(phasors);
             let harmonics = self.finder.system.excitation.harmonics.iter().map(|h| f64::from(*h));
             let by = harmonics.map(|h| (turn(h * extremes.angle_max) - turn(h * extremes.angle_min)) * 0.5);
-            by.enumerate().map(|(order, by)| over.at.quotients[order][quantity].least_along(over.loads(order), by)).sum()
+            let least = |(order, by)| over.quotient(order, quantity).map_or(f64::NEG_INFINITY, |q| q.least_along(over.loads(order), by));
+            by.enumerate().map(least).sum()
         };
         self.half_ranges(over, least).unwrap_or(f64::NEG_INFINITY)
     }
 
-    fn is_of_ring(&self, quantity: usize) -> bool {
-        matches!(self.quantities[quantity], Quantity::RingTwist(_))
-    }
-
-    /// Amplitudes of single orders at a speed over a box, those that may exclude it: half the range of a sum is at least pi/4 of each, as 4/pi is the mean of a rectified one. Ends at the first that excludes it.
+    /// Amplitudes of single orders at a speed over a box, those that may exclude it: half the range of a sum is at least pi/4 of each, as the mean of |cos| is 2/pi. Ends at the first that excludes it.
     fn amplitudes(&self, speed: u32, over: &PairOver, found: &mut Vec<Amplitude>) -> bool {
         let (at, mut scratch) = (over.at, Coefficients::default());
         let orders = &self.finder.system.excitation.orders;
         for part in self.parts.iter().filter(|p| p.measure.within.holds(at.speed_rpm)) {
-            for (order, quotients) in at.quotients.iter().enumerate() {
+            for (order, own) in orders.iter().enumerate() {
                 let counts = match part.measure.over {
                     Over::Synthesis if orders.len() > 1 => FRAC_PI_4,
                     Over::Synthesis | Over::Orders => 1.0,
-                    Over::Order(asked) if asked == orders[order] => 1.0,
+                    Over::Order(asked) if asked == *own => 1.0,
                     _ => continue,
                 };
                 let most = part.most / (part.measure.within.weight(at.speed_rpm) * counts);
-                for quantity in part.quantities.iter().copied().filter(|q| !self.is_of_ring(*q)) {
-                    let middle = over.middle(order, quantity).norm() / most;
+                for quantity in part.quantities.iter().copied() {
+                    let Some(quotient) = over.quotient(order, quantity) else { continue };
+                    let middle = quotient.middle(over.loads(order)).norm() / most;
                     if middle < MAY_EXCLUDE {
                         continue;
                     }
-                    let least = quotients[quantity].least(over.loads(order), &mut scratch) / most;
+                    let least = quotient.least(over.loads(order), &mut scratch) / most;
                     found.push(Amplitude { speed, order, quantity, most, is_objective: !part.role.is_limit(), middle, least });
                     if least >= 1.0 {
                         return true;
@@ -181,7 +183,7 @@ impl Search<'_> {
         let mut of = |a: &Amplitude| {
             let over = self.over(a.speed, pairs)?;
             let loads = over.loads(a.order);
-            over.at.quotients[a.order][a.quantity].least(loads, &mut scratch);
+            over.quotient(a.order, a.quantity)?.least(loads, &mut scratch);
             let (value, slopes) = scratch.linear(loads, over.pair.each_ref().map(Corners::variables), a.most);
             value.is_finite().then_some(Form { value, slopes, middle: a.middle, is_objective: a.is_objective, ..Form::default() })
         };

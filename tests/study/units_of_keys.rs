@@ -83,7 +83,7 @@ impl Case {
             case.study.remove(key);
         }
         let step = &mut case.study["speed_rpm"].as_table_mut().expect("a table")["step"];
-        *step = Value::Float(as_number(step) * if name.contains("villalva") { 40.0 } else { 1.0 });
+        *step = Value::Float(as_number(step) * if name.contains("villalva") { 40.0 } else { 10.0 });
         if name.contains("villalva") {
             case.study.insert("order_limit".into(), Value::Float(6.0));
         }

@@ -242,8 +242,8 @@ impl<'a> Search<'a> {
         let values = self.values(&bounds);
         let absorbers = self.cases.iter().map(|c| c.enclosed(&values)).collect::<Result<Vec<_>, Reason>>()?;
         let known: &[u32] = parent.map_or(&[], |p| &p.speeds);
-        let others = || self.useful.iter().copied().filter(|s| !known.contains(s));
-        let all: Vec<u32> = known.iter().copied().chain(others()).collect();
+        let others = self.useful.iter().copied().filter(|s| !known.contains(s));
+        let all: Vec<u32> = known.iter().copied().chain(others).collect();
         let pairs = self.pairs(&absorbers);
         let seen = match self.seen(&pairs, &all) {
             Ok(seen) => seen,

@@ -1,6 +1,6 @@
 //! Two absorbers at once on Den Hartog's undamped mass, all parameters free: side by side, and one on the ring of the other.
 
-use crate::support::assert_close;
+use crate::support::{assert_close, golden};
 use hartog::Study;
 use hartog::absorber::Host;
 use hartog::analysis::OptimumResult;
@@ -170,22 +170,8 @@ impl Dense {
         let mut list = vec![];
         for i in 1..POINTS {
             if values[i] >= values[i - 1] && values[i] >= values[i + 1] && values[i] > 0.5 * largest {
-                let (mut a, mut b) = (i as f64 - 1.0, i as f64 + 1.0);
-                let share = 0.618_033_988_749_895;
-                let (mut x, mut y) = (b - share * (b - a), a + share * (b - a));
-                let (mut fx, mut fy) = (at(x), at(y));
-                for _ in 0..38 {
-                    if fx > fy {
-                        (b, y, fy) = (y, x, fx);
-                        x = b - share * (b - a);
-                        fx = at(x);
-                    } else {
-                        (a, x, fx) = (x, y, fy);
-                        y = a + share * (b - a);
-                        fy = at(y);
-                    }
-                }
-                list.push(fx.max(fy).max(values[i]));
+                let top = -golden(i as f64 - 1.0, i as f64 + 1.0, &|x| -at(x)).1;
+                list.push(top.max(values[i]));
             }
         }
         if list.is_empty() { vec![largest] } else { list }

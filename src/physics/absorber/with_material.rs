@@ -61,10 +61,16 @@ struct Changed {
     amounts: Vec<f64>,
 }
 
+/// Parameters times factors, with amounts added where there are any.
+fn times_and_plus(values: &[f64], factors: &[f64], amounts: &[f64]) -> Vec<f64> {
+    let mut changed: Vec<f64> = values.iter().zip(factors).map(|(v, f)| v * f).collect();
+    changed.iter_mut().zip(amounts).for_each(|(v, a)| *v += a);
+    changed
+}
+
 impl Changed {
     fn new(reference: Arc<dyn Law>, factors: Vec<f64>, amounts: Vec<f64>) -> Self {
-        let mut values: Vec<f64> = reference.values().iter().zip(&factors).map(|(v, f)| v * f).collect();
-        values.iter_mut().zip(&amounts).for_each(|(v, a)| *v += a);
+        let values = times_and_plus(&reference.values(), &factors, &amounts);
         Self { now: reference.rebuilt(&values), reference, factors, amounts }
     }
 }
@@ -164,9 +170,7 @@ impl Law for Changed {
         self.now.over(&self.changed_over(values), at)
     }
     fn quotient(&self, values: &[f64], at: Operating) -> Option<[C64; 2]> {
-        let amount = |i: usize| self.amounts.get(i).copied().unwrap_or(0.0);
-        let changed: Vec<f64> = values.iter().zip(&self.factors).enumerate().map(|(i, (x, f))| x * f + amount(i)).collect();
-        self.now.quotient(&changed, at)
+        self.now.quotient(&times_and_plus(values, &self.factors, &self.amounts), at)
     }
     fn ring_over(&self, values: &[Taylor]) -> Taylor {
         self.now.ring_over(&self.changed_over(values))

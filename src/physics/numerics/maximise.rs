@@ -53,7 +53,7 @@ impl Met {
     }
 }
 
-/// A cost that ends a search: the target of argmin where none is given. An error would end it as well, but it keeps a backtrace where `RUST_BACKTRACE` is set, which takes longer than the search.
+/// A cost that ends a search: the target of argmin where none is given. An error would end it as well, but it keeps a backtrace where `RUST_BACKTRACE` is set, which takes a tenth of the time of searches.
 const ENDS: f64 = f64::NEG_INFINITY;
 
 struct Negated<'a, F, E> {

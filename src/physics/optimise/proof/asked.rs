@@ -157,7 +157,7 @@ impl Case<'_> {
         self.absorbers.iter().zip(values).map(one).collect()
     }
 
-    /// Lower bounds of what is asked at a speed over a box; `None` where a design of it may be without finite response, but for two absorbers.
+    /// Lower bounds of what is asked at a speed over a box; `None` where a design of it may be without finite response and absorbers are not looked at as quotients.
     pub fn forms(&self, at: &AtSpeed, (absorbers, both): (&[Enclosed], &Pair), forms: &mut Vec<Form>) -> Option<()> {
         let (orders, none) = (at.base.orders(), [Taylor::constant(ZERO); 2]);
         if orders == 0 {
@@ -232,7 +232,7 @@ struct Sum<'s> {
     /// Of the sum in the middle.
     extremes: Extremes,
     finder: &'s PeakFinder<'s>,
-    /// Two absorbers with the index of the quantity, where an order has no model.
+    /// The absorbers as quotients with the index of the quantity, where an order has no model.
     pair: Option<(&'s PairOver<'s>, usize)>,
 }
 

@@ -195,7 +195,7 @@ impl Search<'_> {
         let reached = |half: Bounds| {
             let values = self.values(&half);
             let Ok(absorbers) = self.cases.iter().map(|c| c.enclosed(&values)).collect::<Result<Vec<_>, _>>() else { return 0.0 };
-            let pairs: Vec<Pair> = absorbers.iter().map(|a| pair(a)).collect();
+            let pairs = self.pairs(&absorbers);
             let mut best = f64::NEG_INFINITY;
             for s in speeds.iter().take(TRIED) {
                 let Some(over) = self.over(*s, &pairs) else { continue };

@@ -3,6 +3,7 @@
 use super::letters::fault;
 use super::overrides::{OPTION, Overrides};
 use super::read_toml;
+use super::schema::bounds::{Bounds, NOT_NEGATIVE, POSITIVE, Whole};
 use super::snippet::{shortened, window};
 pub use super::spanned::At;
 use super::wording::{BACKSLASH, has_escapes, is_table, of_grammar};
@@ -292,9 +293,6 @@ pub struct Check<'a> {
 
 /// Mistakes of a file that have a place: more than are ever told.
 const MOST_PLACED: usize = 1000;
-/// Smallest and largest size of a number that is not zero.
-const SMALLEST: f64 = 1e-20;
-const LARGEST: f64 = 1e20;
 
 impl<'a> Check<'a> {
     /// Nothing found yet.
@@ -323,24 +321,39 @@ impl<'a> Check<'a> {
         self.mistakes.push(if placed { self.source.mistake(span, message, help) } else { counted() });
     }
 
-    /// A number within a range, whose words are `expected`; written so that nan is outside every range.
-    pub fn within(&mut self, value: &At<f64>, range: impl std::ops::RangeBounds<f64>, expected: &str) -> f64 {
+    /// A number of a kind.
+    pub(crate) fn within(&mut self, value: &At<f64>, bounds: &Bounds) -> f64 {
+        self.within_as(value, bounds, bounds.what)
+    }
+
+    /// The same, where a message calls it otherwise.
+    pub(crate) fn within_as(&mut self, value: &At<f64>, bounds: &Bounds, what: &str) -> f64 {
         let x = *value.get_ref();
-        if !(x.is_finite() && range.contains(&x)) {
+        if !bounds.contains(x) {
+            let expected = bounds.expected_of(what);
             let plain = x == 0.0 || !x.is_finite() || (1e-6..1e9).contains(&x.abs());
             self.wrong(value, if plain { format!("found {x}, expected {expected}") } else { format!("found {x:e}, expected {expected}") });
         }
         x
     }
 
+    /// A whole number of a kind; of one out of its range, which is a mistake, the nearest within it.
+    pub(crate) fn whole(&mut self, value: &At<i64>, range: &Whole) -> u64 {
+        let x = *value.get_ref();
+        if !(range.low..=range.high).contains(&x) {
+            self.wrong(value, format!("found {x}, expected {}", range.expected()));
+        }
+        x.clamp(range.low, range.high).unsigned_abs()
+    }
+
     /// A number above zero, of a size that products of a few of them stay finite.
     pub(crate) fn positive(&mut self, value: &At<f64>) -> f64 {
-        self.within(value, SMALLEST..=LARGEST, "a number above zero, from 1e-20 to 1e20")
+        self.within(value, &POSITIVE)
     }
 
     /// A number of at least zero.
     pub(crate) fn not_negative(&mut self, value: &At<f64>) -> f64 {
-        self.within(value, 0.0..=LARGEST, "a number of at least zero, up to 1e20")
+        self.within(value, &NOT_NEGATIVE)
     }
 
     /// A name for tables and plots.

@@ -14,14 +14,6 @@ pub(super) fn file(check: &mut Check, folder: &Path, name: &At<String>) -> PathB
     path
 }
 
-pub(super) fn whole(check: &mut Check, n: &At<i64>, least: i64, most: i64) -> usize {
-    let x = *n.get_ref();
-    if !(least..=most).contains(&x) {
-        check.wrong(n, format!("found {x}, expected a whole number from {least} to {most}"));
-    }
-    usize::try_from(x.clamp(least, most)).unwrap_or_default()
-}
-
 /// The column of a key that has no name of its own: the last of its parts that is no number.
 pub(super) fn column(key: &str) -> &str {
     key.rsplit('.').find(|part| part.parse::<usize>().is_err()).unwrap_or(key)

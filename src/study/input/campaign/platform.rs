@@ -1,8 +1,8 @@
 //! Engines that share dampers.
 
-use super::named::whole;
 use super::spec::{Axis, Platform};
 use crate::input::error::{At, Check};
+use crate::input::schema::bounds::SETS_OF_ENGINES;
 use crate::input::schema::campaign::{RawCampaign, RawEach};
 use crate::optimise::assignment::MOST_PARTIES;
 use std::collections::{BTreeMap, HashSet};
@@ -45,7 +45,7 @@ pub(super) fn platform(check: &mut Check, raw: &RawCampaign, axes: &mut Vec<Axis
         check.wrong(&own.engines, format!("found {} engines, expected at most {MOST_PARTIES}", engines.variants.len()));
     }
     let targets = own.targets.as_ref().map(|targets| targets_of(check, targets, &engines));
-    let sets = own.sets.as_ref().map_or(SETS, |n| whole(check, n, 0, 1_000_000));
+    let sets = own.sets.as_ref().map_or(SETS, |n| check.whole(n, &SETS_OF_ENGINES) as usize);
     let platform = Platform { engines, loads, targets, sets };
     if platform.studies() > MOST_STUDIES {
         check.wrong(&own.engines, format!("found {} engines and loads together, expected at most {MOST_STUDIES}", platform.studies()));

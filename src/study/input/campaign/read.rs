@@ -1,7 +1,7 @@
 //! The file of a campaign.
 
 use super::axes::axis;
-use super::named::{file, whole};
+use super::named::file;
 use super::platform::{not_of_results, platform};
 use super::sample::sample;
 use super::spec::{Axis, Campaign, Each, MOST_CASES, Platform, Sample};
@@ -9,6 +9,7 @@ use crate::input::InputError;
 use crate::input::error::{At, Check, Source};
 use crate::input::kinds::no_table;
 use crate::input::overrides::Override;
+use crate::input::schema::bounds::{CASES_PER_SHARD, RELATIVE_ERROR};
 use crate::input::schema::campaign::{RawCampaign, RawEach};
 use std::collections::HashSet;
 use std::path::Path;
@@ -57,7 +58,7 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
     }
     let all: Vec<&Axis> = axes.iter().chain(platform.iter().flat_map(Platform::axes)).collect();
     only_once(check, raw, &all, sample.as_ref());
-    let cases_per_shard = raw.cases_per_shard.as_ref().map(|n| whole(check, n, 1, 1_000_000));
+    let cases_per_shard = raw.cases_per_shard.as_ref().map(|n| check.whole(n, &CASES_PER_SHARD) as usize);
     let each = match raw.each {
         RawEach::Evaluate => Each::Evaluate,
         RawEach::Optimise => Each::Optimise,
@@ -69,7 +70,7 @@ fn resolve(check: &mut Check, path: &Path, folder: &Path, raw: &RawCampaign) -> 
         if each != Each::Evaluate {
             check.wrong(t, "found `tolerance` beside a search, whose optima are exact, expected it with `each = \"evaluate\"` only");
         }
-        check.within(t, 1e-9..=0.1, "a share from 1e-9 to 0.1")
+        check.within(t, &RELATIVE_ERROR)
     });
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let campaign = Campaign { name, path: path.to_path_buf(), study, each, axes, sample, platform, tolerance, cases_per_shard };

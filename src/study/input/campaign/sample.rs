@@ -1,15 +1,16 @@
 //! Points that are drawn.
 
-use super::named::{column, file, free, named, set, whole};
+use super::named::{column, file, free, named, set};
 use super::spec::{Distribution, Drawing, Sample, Sampled};
 use crate::input::error::{At, Check, read_bytes};
+use crate::input::schema::bounds::{ANY, POINTS_OF_SAMPLE, SEED};
 use crate::input::schema::campaign::{RawMethodOfSampling, RawSample, RawSampled};
 use std::collections::HashSet;
 use std::path::Path;
 
 pub(super) fn sample(check: &mut Check, folder: &Path, raw: &At<RawSample>, names: &mut HashSet<String>) -> Option<Sample> {
     let own = raw.get_ref();
-    let seed = own.seed.as_ref().map_or(1, |s| whole(check, s, 0, i64::MAX) as u64);
+    let seed = own.seed.as_ref().map_or(1, |s| check.whole(s, &SEED));
     if own.method == RawMethodOfSampling::File {
         let Some(named_file) = &own.file else {
             check.wrong(raw, "found the method `file` without `file`, expected a table of points");
@@ -39,7 +40,7 @@ pub(super) fn sample(check: &mut Check, folder: &Path, raw: &At<RawSample>, name
         check.wrong(raw, "key `points` is missing in this table");
         return None;
     };
-    let points = whole(check, count, 1, 10_000_000);
+    let points = check.whole(count, &POINTS_OF_SAMPLE) as usize;
     let keys: Vec<Sampled> = own.of.iter().filter_map(|s| sampled(check, s, names)).collect();
     if own.of.is_empty() {
         check.wrong(raw, "found no key to draw, expected [[sample.of]]");
@@ -99,9 +100,7 @@ fn sampled(check: &mut Check, raw: &At<RawSampled>, names: &mut HashSet<String>)
                 return None;
             }
         },
-        (None, Some(n), None) => {
-            Distribution::Normal(check.within(&n.mean, -1e20..=1e20, "a number up to 1e20"), check.positive(&n.deviation))
-        }
+        (None, Some(n), None) => Distribution::Normal(check.within(&n.mean, &ANY), check.positive(&n.deviation)),
         (None, None, Some(t)) => {
             let (values, shares) = (t.values.get_ref(), t.shares.get_ref());
             let sum: f64 = shares.iter().map(At::get_ref).sum();

@@ -1,5 +1,6 @@
 //! Absorbers in a study. Their types and keys are those of the declarations in [`crate::absorber`]: a new type needs nothing here.
 
+use super::bounds::{NOT_NEGATIVE, POSITIVE, RING_DENSITY};
 use super::material_states::RawMaterialStates;
 use super::range::RawRange;
 use crate::absorber::construction::shape;
@@ -23,7 +24,7 @@ pub(crate) struct RawAbsorber {
     #[schemars(extend("examples" = [{"station": "pulley"}]))]
     pub on: RawOn,
     /// Inertia of the hub, added to the station.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0.004]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [0.004]))]
     pub hub_inertia_kg_m2: Option<At<f64>>,
     /// Its type with the values of its parameters.
     #[serde(rename = "type")]
@@ -48,7 +49,7 @@ pub(crate) enum RawOn {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawLocked {
     /// Inertia of a ring that is fixed to its hub.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [0.076]))]
     pub ring_inertia_kg_m2: At<f64>,
 }
 
@@ -59,7 +60,7 @@ pub(crate) struct RawSeeded {
     #[schemars(extend("enum" = closed_form_names(), "examples" = ["den_hartog_brock"]))]
     pub by: At<String>,
     /// Inertia of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.076]))]
     pub ring_inertia_kg_m2: At<f64>,
     /// The inertia that the ratio of the closed form is taken with: `modal`, that of the first elastic mode referred to the station, or `whole_chain`, the sum of all.
     #[serde(default)]
@@ -80,7 +81,7 @@ pub(crate) enum RawEngineInertia {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawMeasured {
     /// Inertia of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.076]))]
     pub ring_inertia_kg_m2: At<f64>,
     /// A table of complex stiffness over frequency and temperature.
     #[schemars(extend("examples" = ["measured.csv"]))]
@@ -95,10 +96,10 @@ pub(crate) struct RawMeasured {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawProny {
     /// Inertia of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.076]))]
     pub ring_inertia_kg_m2: At<f64>,
     /// Stiffness at low frequency: of rubber; an oil has none.
-    #[schemars(extend("minimum" = 0, "examples" = [60000]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [60000]))]
     pub stiffness_n_m_per_rad: At<f64>,
     /// Springs, each in series with a damper, beside it.
     #[schemars(extend("minItems" = 1, "examples" = [[{"stiffness_n_m_per_rad": 20000, "relaxation_time_s": 0.001}]]))]
@@ -110,10 +111,10 @@ pub(crate) struct RawProny {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBranch {
     /// Stiffness of the spring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [20000]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [20000]))]
     pub stiffness_n_m_per_rad: At<f64>,
     /// Damping of the damper over that stiffness.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.001]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.001]))]
     pub relaxation_time_s: At<f64>,
 }
 
@@ -149,16 +150,16 @@ pub(crate) enum RawSize {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBox {
     /// Bore of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [120]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [120]))]
     pub inner_diameter_mm: At<f64>,
     /// Outer diameter of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [220]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [220]))]
     pub outer_diameter_mm: At<f64>,
     /// Width of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [30]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [30]))]
     pub width_mm: At<f64>,
     /// Density of the ring.
-    #[schemars(extend("minimum" = 500, "maximum" = 25000, "examples" = [7850]))]
+    #[schemars(transform = RING_DENSITY.of_number(), extend("examples" = [7850]))]
     pub density_kg_m3: At<f64>,
 }
 

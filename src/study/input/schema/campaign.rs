@@ -1,5 +1,6 @@
 //! The file of a campaign: many cases of studies, each with other values of some keys.
 
+use super::bounds::{CASES_PER_SHARD, POINTS_OF_SAMPLE, POSITIVE, RELATIVE_ERROR, SEED, SETS_OF_ENGINES};
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -19,10 +20,10 @@ pub(crate) struct RawCampaign {
     #[schemars(extend("examples" = ["family"]))]
     pub partition: Option<At<String>>,
     /// Of given designs that differ in their parameters only: relative error that the values of objectives may have, by tables that tell their own error. Those of a larger one, and those of about 4000 cases that may be the best, are computed exactly; without it all are.
-    #[schemars(extend("minimum" = 1e-9, "maximum" = 0.1, "examples" = [0.001]))]
+    #[schemars(transform = RELATIVE_ERROR.of_number(), extend("examples" = [0.001]))]
     pub tolerance: Option<At<f64>>,
     /// Cases of a shard; without it as many as take about a minute, measured where the campaign is planned.
-    #[schemars(extend("minimum" = 1, "maximum" = 1_000_000, "examples" = [1000]))]
+    #[schemars(transform = CASES_PER_SHARD.of_number(), extend("examples" = [1000]))]
     pub cases_per_shard: Option<At<i64>>,
     /// What varies: every value of each with every value of the others.
     #[serde(default)]
@@ -44,10 +45,10 @@ pub(crate) struct RawPlatform {
     #[schemars(extend("examples" = [["load_fraction"]]))]
     pub loads: Vec<At<String>>,
     /// The objective of each engine, in the unit of its column, that counts as one; without it the best that a damper of the family reaches for its study alone.
-    #[schemars(extend("additionalProperties" = { "type": "number", "exclusiveMinimum": 0, "description": "Target of the engine of this name.", "examples": [0.45] }, "examples" = [{ "six": 0.45, "v10": 0.3 }]))]
+    #[schemars(extend("additionalProperties" = POSITIVE.described("Target of the engine of this name.", 0.45), "examples" = [{ "six": 0.45, "v10": 0.3 }]))]
     pub targets: Option<At<BTreeMap<String, At<f64>>>>,
     /// Sets of engines whose common damper is sought, at most, to tell that no other assignment is better, besides those of a first assignment.
-    #[schemars(extend("minimum" = 0, "maximum" = 1_000_000, "default" = 2000, "examples" = [500]))]
+    #[schemars(transform = SETS_OF_ENGINES.of_number(), extend("default" = 2000, "examples" = [500]))]
     pub sets: Option<At<i64>>,
 }
 
@@ -115,10 +116,10 @@ pub(crate) struct RawSample {
     #[schemars(extend("examples" = ["sobol"]))]
     pub method: RawMethodOfSampling,
     /// How many points; of a full grid, how many of each key. Of `indices` this many for each of the keys and twice more.
-    #[schemars(extend("minimum" = 1, "maximum" = 10_000_000, "examples" = [64]))]
+    #[schemars(transform = POINTS_OF_SAMPLE.of_number(), extend("examples" = [64]))]
     pub points: Option<At<i64>>,
     /// Seed of what is random.
-    #[schemars(extend("minimum" = 0, "default" = 1, "examples" = [1]))]
+    #[schemars(transform = SEED.of_number(), extend("default" = 1, "examples" = [1]))]
     pub seed: Option<At<i64>>,
     /// Whether points are drawn in pairs that tell how much of the variance of each result each key makes (Sobol's indices by Saltelli's scheme).
     #[serde(default)]
@@ -158,7 +159,7 @@ pub(crate) struct RawNormal {
     #[schemars(extend("examples" = [1]))]
     pub mean: At<f64>,
     /// Standard deviation.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.05]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.05]))]
     pub deviation: At<f64>,
 }
 

@@ -1,5 +1,9 @@
 //! The engine file.
 
+use super::bounds::{
+    BANK_ANGLE, BURN_DURATION, BURN_START, COMPRESSION_RATIO, FRACTION, FRACTION_OF_CRITICAL, FRICTION, HEAT_CAPACITY_RATIO, MAGNIFIER,
+    NOT_NEGATIVE, POSITIVE, PRESSURE_SCALE, SIGNED_ANGLE, WIEBE_EXPONENT,
+};
 use super::crank::RawCrank;
 use super::step::RawStep;
 use crate::input::error::At;
@@ -47,10 +51,10 @@ pub(crate) struct RawEngine {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawDamping {
     /// Dynamic magnifier of the shafts: their loss factor is its inverse.
-    #[schemars(extend("minimum" = 1, "maximum" = 1000000, "examples" = [30]))]
+    #[schemars(transform = MAGNIFIER.of_number(), extend("examples" = [30]))]
     pub dynamic_magnifier: Option<At<f64>>,
     /// Fraction of critical damping of the first elastic mode, by shafts whose damping is proportional to their stiffness.
-    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 1, "examples" = [0.01]))]
+    #[schemars(transform = FRACTION_OF_CRITICAL.of_number(), extend("examples" = [0.01]))]
     pub fraction_of_critical: Option<At<f64>>,
     /// Damping proportional to inertia and stiffness.
     #[schemars(extend("examples" = [{"inertia_per_s": 1, "stiffness_s": 1e-5}]))]
@@ -61,10 +65,10 @@ pub(crate) struct RawDamping {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawRayleigh {
     /// Damping over inertia.
-    #[schemars(extend("minimum" = 0, "examples" = [1]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [1]))]
     pub inertia_per_s: At<f64>,
     /// Damping over stiffness.
-    #[schemars(extend("minimum" = 0, "examples" = [1e-5]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [1e-5]))]
     pub stiffness_s: At<f64>,
 }
 
@@ -84,38 +88,38 @@ pub(crate) enum RawReciprocating {
 ]))]
 pub(crate) struct RawGeometry {
     /// Bore of the cylinder.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [105]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [105]))]
     pub bore_mm: At<f64>,
     /// Crank radius: half the stroke.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [60]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [60]))]
     pub crank_radius_mm: At<f64>,
     /// Length of the rod between its eyes.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [192]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [192]))]
     pub rod_length_mm: At<f64>,
     /// Piston with pin and rings.
-    #[schemars(extend("minimum" = 0, "examples" = [1.6]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [1.6]))]
     pub piston_mass_kg: At<f64>,
     /// The whole rod.
-    #[schemars(extend("minimum" = 0, "examples" = [2.1]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [2.1]))]
     pub rod_mass_kg: At<f64>,
     /// Share of the rod's mass that rotates; in place of its centre and inertia.
-    #[schemars(extend("minimum" = 0, "maximum" = 1, "examples" = [0.667]))]
+    #[schemars(transform = FRACTION.of_number(), extend("examples" = [0.667]))]
     pub rod_rotating_fraction: Option<At<f64>>,
     /// Centre of gravity of the rod from its big end, with `rod_inertia_kg_m2`.
-    #[schemars(extend("minimum" = 0, "examples" = [60]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [60]))]
     pub rod_centre_from_big_end_mm: Option<At<f64>>,
     /// Inertia of the rod about its centre of gravity.
-    #[schemars(extend("minimum" = 0, "examples" = [0.02]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [0.02]))]
     pub rod_inertia_kg_m2: Option<At<f64>>,
     /// Exact motion of the piston, or its first two orders.
     #[serde(default)]
     #[schemars(extend("default" = "exact", "examples" = ["truncated"]))]
     pub kinematics: RawKinematics,
     /// Pressure below the piston, absolute.
-    #[schemars(extend("minimum" = 0, "default" = 1, "examples" = [1]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 1, "examples" = [1]))]
     pub crankcase_pressure_bar: Option<At<f64>>,
     /// Friction coefficient of piston and liner.
-    #[schemars(extend("minimum" = 0, "maximum" = 0.5, "default" = 0, "examples" = [0.05]))]
+    #[schemars(transform = FRICTION.of_number(), extend("default" = 0, "examples" = [0.05]))]
     pub liner_friction: Option<At<f64>>,
 }
 
@@ -153,10 +157,10 @@ pub(crate) struct RawInLine {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawV {
     /// Angle between the banks.
-    #[schemars(extend("minimum" = 0, "maximum" = 180, "examples" = [90]))]
+    #[schemars(transform = BANK_ANGLE.of_number(), extend("examples" = [90]))]
     pub bank_angle_deg: At<f64>,
     /// By how much the second pin of a throw trails the first: positive where the second cylinder fires that much later than the bank angle says.
-    #[schemars(extend("minimum" = -180, "maximum" = 180, "default" = 0, "examples" = [18]))]
+    #[schemars(transform = SIGNED_ANGLE.of_number(), extend("default" = 0, "examples" = [18]))]
     pub split_pin_deg: Option<At<f64>>,
     /// Cylinders in the order they fire; 2t-1 and 2t are on throw t.
     #[schemars(extend("items" = { "type": "integer", "minimum": 1 }, "uniqueItems" = true, "minItems" = 2, "examples" = [[1, 2, 3, 4]]))]
@@ -183,25 +187,25 @@ pub(crate) enum RawPressure {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawOtto {
     /// Ascending speeds of the curve.
-    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "examples" = [[1000, 3000]]))]
+    #[schemars(transform = POSITIVE.of_list(), extend("examples" = [[1000, 3000]]))]
     pub speed_rpm: At<Vec<At<f64>>>,
     /// Full-load curve: brake power or torque.
     #[schemars(extend("examples" = [{"torque_n_m": [800, 900]}]))]
     pub curve: RawCurve,
     /// Compression ratio.
-    #[schemars(extend("minimum" = 1.5, "maximum" = 50, "examples" = [16]))]
+    #[schemars(transform = COMPRESSION_RATIO.of_number(), extend("examples" = [16]))]
     pub compression_ratio: At<f64>,
     /// Indicated over brake mean pressure.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5, "examples" = [1.2]))]
+    #[schemars(transform = PRESSURE_SCALE.of_number(), extend("examples" = [1.2]))]
     pub pressure_scale: At<f64>,
     /// A further factor at each speed.
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "examples" = [[1.2, 1.3]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("examples" = [[1.2, 1.3]]))]
     pub pressure_scale_over_speed: Option<At<Vec<At<f64>>>>,
     /// Pressure at the beginning of compression, absolute.
-    #[schemars(extend("exclusiveMinimum" = 0, "default" = 1, "examples" = [1]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("default" = 1, "examples" = [1]))]
     pub inlet_pressure_bar: Option<At<f64>>,
     /// Ratio of heat capacities.
-    #[schemars(extend("minimum" = 1.05, "maximum" = 1.67, "default" = 1.4, "examples" = [1.35]))]
+    #[schemars(transform = HEAT_CAPACITY_RATIO.of_number(), extend("default" = 1.4, "examples" = [1.35]))]
     pub heat_capacity_ratio: Option<At<f64>>,
 }
 
@@ -209,11 +213,11 @@ pub(crate) struct RawOtto {
 pub(crate) enum RawCurve {
     /// Brake power at each speed.
     #[serde(rename = "power_kw")]
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "examples" = [[80, 200]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("examples" = [[80, 200]]))]
     Power(At<Vec<At<f64>>>),
     /// Brake torque at each speed.
     #[serde(rename = "torque_n_m")]
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "examples" = [[800, 900]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("examples" = [[800, 900]]))]
     Torque(At<Vec<At<f64>>>),
 }
 
@@ -221,28 +225,28 @@ pub(crate) enum RawCurve {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawWiebe {
     /// Ascending speeds.
-    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "examples" = [[600, 4000]]))]
+    #[schemars(transform = POSITIVE.of_list(), extend("examples" = [[600, 4000]]))]
     pub speed_rpm: At<Vec<At<f64>>>,
     /// Indicated mean pressure at each speed.
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "examples" = [[12, 12]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("examples" = [[12, 12]]))]
     pub indicated_mean_pressure_bar: At<Vec<At<f64>>>,
     /// Pressure at the beginning of compression, absolute.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1.5]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [1.5]))]
     pub boost_bar: At<f64>,
     /// Compression ratio.
-    #[schemars(extend("minimum" = 1.5, "maximum" = 50, "examples" = [16]))]
+    #[schemars(transform = COMPRESSION_RATIO.of_number(), extend("examples" = [16]))]
     pub compression_ratio: At<f64>,
     /// Start of burning from firing dead centre.
-    #[schemars(extend("minimum" = -90, "maximum" = 90, "examples" = [-7]))]
+    #[schemars(transform = BURN_START.of_number(), extend("examples" = [-7]))]
     pub burn_start_deg: At<f64>,
     /// Duration of burning.
-    #[schemars(extend("minimum" = 1, "maximum" = 170, "examples" = [60]))]
+    #[schemars(transform = BURN_DURATION.of_number(), extend("examples" = [60]))]
     pub burn_duration_deg: At<f64>,
     /// Wiebe's exponent m.
-    #[schemars(extend("minimum" = 0.1, "maximum" = 10, "default" = 2, "examples" = [2]))]
+    #[schemars(transform = WIEBE_EXPONENT.of_number(), extend("default" = 2, "examples" = [2]))]
     pub wiebe_exponent: Option<At<f64>>,
     /// Ratio of heat capacities.
-    #[schemars(extend("minimum" = 1.05, "maximum" = 1.67, "default" = 1.35, "examples" = [1.35]))]
+    #[schemars(transform = HEAT_CAPACITY_RATIO.of_number(), extend("default" = 1.35, "examples" = [1.35]))]
     pub heat_capacity_ratio: Option<At<f64>>,
 }
 
@@ -294,22 +298,22 @@ pub(crate) struct RawStation {
     #[schemars(extend("items" = { "type": "integer", "minimum": 1 }, "default" = [], "examples" = [[1]]))]
     pub throws: Vec<At<i64>>,
     /// Its inertia; without it, what follows from the dimensions of the crank.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.05]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.05]))]
     pub inertia_kg_m2: Option<At<f64>>,
     /// Stiffness of the shaft to the next station; none after the last.
-    #[schemars(extend("minimum" = 0, "examples" = [900000]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [900000]))]
     pub stiffness_to_next_n_m_per_rad: Option<At<f64>>,
     /// Damping of the shaft to the next station.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [10]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [10]))]
     pub damping_to_next_n_m_s_per_rad: Option<At<f64>>,
     /// Loss factor of the shaft or coupling to the next station: the relative damping psi of its maker over 2 pi. That of `damping.dynamic_magnifier` is added to it.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0.01]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [0.01]))]
     pub loss_factor_to_next: Option<At<f64>>,
     /// Stiffness to ground.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [0]))]
     pub stiffness_to_ground_n_m_per_rad: Option<At<f64>>,
     /// Damping to ground.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [2]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [2]))]
     pub damping_to_ground_n_m_s_per_rad: Option<At<f64>>,
     /// The station it leads to, in place of the one below it.
     #[schemars(extend("examples" = ["flywheel"]))]

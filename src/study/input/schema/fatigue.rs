@@ -1,5 +1,6 @@
 //! The fatigue table of a study.
 
+use super::bounds::{NOMINAL_FACTOR, NOT_NEGATIVE, POSITIVE, TEMPERATURE_OF_STEEL};
 use super::keyword::by_word;
 use crate::crankshaft::{MarginCriterion, TorsionCase};
 use crate::fatigue::endurance::RELIABILITIES;
@@ -76,19 +77,19 @@ pub(crate) enum RawMeanBending {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawMaterial {
     /// Tensile strength.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1000]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [1000]))]
     pub tensile_strength_mpa: At<f64>,
     /// Yield strength.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [700]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [700]))]
     pub yield_strength_mpa: Option<At<f64>>,
     /// Fatigue limit in reversed bending; without it, estimated from the tensile strength.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [450]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [450]))]
     pub bending_fatigue_limit_mpa: Option<At<f64>>,
     /// Fatigue limit in reversed torsion.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [270]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [270]))]
     pub torsion_fatigue_limit_mpa: Option<At<f64>>,
     /// Largest stress of the fatigue limit in bending from zero.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [620]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [620]))]
     pub repeated_bending_fatigue_limit_mpa: Option<At<f64>>,
 }
 
@@ -103,7 +104,7 @@ pub(crate) struct RawEndurance {
     #[schemars(extend("examples" = ["ground"]))]
     pub surface: RawSurface,
     /// Temperature of the crank.
-    #[schemars(extend("minimum" = -60, "maximum" = 550, "default" = 20, "examples" = [90]))]
+    #[schemars(transform = TEMPERATURE_OF_STEEL.of_number(), extend("default" = 20, "examples" = [90]))]
     pub temperature_c: Option<At<f64>>,
     /// Reliability, one of the tabulated values.
     #[schemars(extend("enum" = RELIABILITIES, "default" = 50, "examples" = [99]))]
@@ -135,7 +136,7 @@ pub(crate) struct RawClassRule {
     #[schemars(extend("default" = "free_forged", "examples" = ["grain_flow"]))]
     pub manufacture: RawManufacture,
     /// Additional bending stress of the rule.
-    #[schemars(extend("minimum" = 0, "default" = 10, "examples" = [10]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 10, "examples" = [10]))]
     pub additional_bending_mpa: Option<At<f64>>,
 }
 
@@ -193,9 +194,9 @@ pub(crate) enum RawFactors {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawGiven {
     /// Factor of the nominal bending stress.
-    #[schemars(extend("minimum" = 1, "maximum" = 20, "examples" = [3.2]))]
+    #[schemars(transform = NOMINAL_FACTOR.of_number(), extend("examples" = [3.2]))]
     pub bending: At<f64>,
     /// Factor of the nominal torsional stress.
-    #[schemars(extend("minimum" = 1, "maximum" = 20, "examples" = [1.8]))]
+    #[schemars(transform = NOMINAL_FACTOR.of_number(), extend("examples" = [1.8]))]
     pub torsion: At<f64>,
 }

@@ -1,5 +1,6 @@
 //! The flexible crank in an engine file.
 
+use super::bounds::{BEARING_STIFFNESS, DAMPING_TIME, LOOSE_RATIO, LOSS_FACTOR, NOT_NEGATIVE, OIL_PRESSURE, POSITIVE, REACH, WEB_FACTOR};
 use super::step::RawStep;
 use crate::input::error::At;
 use schemars::JsonSchema;
@@ -14,10 +15,10 @@ pub(crate) struct RawFlexible {
     /// In place of beams: the crank by the matrices of a finite-element program, free, with hub and flywheel, without rods, reduced to points of its bearings, its pins and both ends.
     pub matrices: Option<At<RawMatrices>>,
     /// Density of the crank; without it that of `masses`.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [7850]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [7850]))]
     pub density_kg_m3: Option<At<f64>>,
     /// Loss factor of the crank: its stiffness is k (1 + i eta).
-    #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.01]))]
+    #[schemars(transform = LOSS_FACTOR.of_number(), extend("examples" = [0.01]))]
     pub loss_factor: At<f64>,
     /// Whether gyroscopic and centrifugal terms count. With `matrices` it asks for `gyroscopic` and `turning`.
     #[schemars(extend("default" = true, "examples" = [false]))]
@@ -45,13 +46,13 @@ pub(crate) enum RawWebFactors {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawGivenFactors {
     /// On the stiffness in bending in the plane of the throw.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [5.05]))]
+    #[schemars(transform = WEB_FACTOR.of_number(), extend("examples" = [5.05]))]
     pub bending: At<f64>,
     /// On the stiffness in twisting.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [10.07]))]
+    #[schemars(transform = WEB_FACTOR.of_number(), extend("examples" = [10.07]))]
     pub twist: At<f64>,
     /// On the stiffness in bending about the axis of the crank.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [1.05]))]
+    #[schemars(transform = WEB_FACTOR.of_number(), extend("examples" = [1.05]))]
     pub edge: At<f64>,
 }
 
@@ -120,10 +121,10 @@ pub(crate) enum RawCrankAxis {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBearing {
     /// Stiffness across the axis, alike in all directions; without it and `exponential` `crank.bearing_stiffness_n_per_m`.
-    #[schemars(extend("minimum" = 100000, "maximum" = 10000000000000.0, "examples" = [1.2e9]))]
+    #[schemars(transform = BEARING_STIFFNESS.of_number(), extend("examples" = [1.2e9]))]
     pub stiffness_n_per_m: Option<At<f64>>,
     /// Damping across the axis; required without `exponential`.
-    #[schemars(extend("minimum" = 0, "examples" = [9e4]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [9e4]))]
     pub damping_n_s_per_m: Option<At<f64>>,
     /// In place of both: bearings that stiffen with the displacement of the journal. Searches and tables use the linear bearings nearest to them over cycles without absorber, and what they find is computed on the law itself by harmonic balance.
     pub exponential: Option<At<RawExponential>>,
@@ -137,19 +138,19 @@ pub(crate) struct RawBearing {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawExponential {
     /// Pressure of the oil over the journal (length times diameter) at the reach: with it the stiffness there, k_f.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [40]))]
+    #[schemars(transform = OIL_PRESSURE.of_number(), extend("examples" = [40]))]
     pub pressure_mpa: At<f64>,
     /// Reach of the law over the diameter of the journal.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 0.005, "examples" = [5e-4]))]
+    #[schemars(transform = REACH.of_number(), extend("examples" = [5e-4]))]
     pub clearance_ratio: At<f64>,
     /// Stiffness in the middle over that at the reach, k_0/k_f.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1, "examples" = [0.01]))]
+    #[schemars(transform = LOOSE_RATIO.of_number(), extend("examples" = [0.01]))]
     pub loose_stiffness: At<f64>,
     /// Damping over stiffness at the reach, c_f/k_f.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 0.1, "examples" = [1e-4]))]
+    #[schemars(transform = DAMPING_TIME.of_number(), extend("examples" = [1e-4]))]
     pub damping_time_s: At<f64>,
     /// Damping in the middle over that at the reach, c_0/c_f.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1, "examples" = [0.1]))]
+    #[schemars(transform = LOOSE_RATIO.of_number(), extend("examples" = [0.1]))]
     pub loose_damping: At<f64>,
 }
 
@@ -160,10 +161,10 @@ pub(crate) struct RawThrust {
     #[schemars(extend("minimum" = 1, "examples" = [4]))]
     pub bearing: At<i64>,
     /// Stiffness along the axis.
-    #[schemars(extend("minimum" = 100000, "maximum" = 10000000000000.0, "examples" = [5e8]))]
+    #[schemars(transform = BEARING_STIFFNESS.of_number(), extend("examples" = [5e8]))]
     pub stiffness_n_per_m: At<f64>,
     /// Damping along the axis.
-    #[schemars(extend("minimum" = 0, "examples" = [1e5]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [1e5]))]
     pub damping_n_s_per_m: At<f64>,
 }
 
@@ -174,10 +175,10 @@ pub(crate) struct RawEnd {
     #[schemars(extend("minItems" = 1, "examples" = [[{"diameter_mm": 60, "length_mm": 70}]]))]
     pub shaft: At<Vec<RawStep>>,
     /// Mass of the hub or flywheel.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [8]))]
     pub mass_kg: At<f64>,
     /// Its inertia about a diameter; without it half that of its station, as of a thin disc.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.03]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.03]))]
     pub diametral_inertia_kg_m2: Option<At<f64>>,
     /// The ring of an absorber, which the hub or flywheel carries across the axis and in tilting, not in rotation about it; the same for every design. Without it rings have no mass but in rotation.
     pub ring: Option<RawCarriedRing>,
@@ -187,12 +188,12 @@ pub(crate) struct RawEnd {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawCarriedRing {
     /// Mass of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [5]))]
     pub mass_kg: At<f64>,
     /// Its inertia about the axis, which stiffens tilting while the crank turns.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.076]))]
     pub polar_inertia_kg_m2: At<f64>,
     /// Its inertia about a diameter; without it half of that about the axis, as of a thin ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.04]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.04]))]
     pub diametral_inertia_kg_m2: Option<At<f64>>,
 }

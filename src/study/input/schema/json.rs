@@ -1,6 +1,7 @@
 //! What files may hold, as JSON Schema: from the types that read them.
 
 use super::absorber::{RawEngineInertia, RawKind, RawLocked, RawMeasured, RawOn, RawOptimised, RawProny, RawSeeded, RawSize, RawType};
+use super::bounds::{Bounds, NOT_NEGATIVE};
 use super::campaign::RawCampaign;
 use super::engine::RawEngine;
 use super::material::RawMaterialFile;
@@ -11,7 +12,7 @@ use super::substance::RawSubstances;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::construction::{SHAPES, shape};
 use crate::absorber::types::GIVEN_ONLY;
-use crate::absorber::{Declaration, Parameter, Range, Surroundings, TYPES};
+use crate::absorber::{Declaration, Parameter, Surroundings, TYPES};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::{Map, Value, json};
@@ -156,12 +157,7 @@ fn typical(p: &Parameter) -> f64 {
 
 fn value(p: &Parameter) -> Value {
     let mut map = json!({ "type": "number", "description": p.about, "examples": [typical(p)] });
-    match p.range {
-        Range::Positive => map["exclusiveMinimum"] = json!(0),
-        Range::Above(least) => map["exclusiveMinimum"] = json!(least),
-        Range::NotNegative => map["minimum"] = json!(0),
-        Range::Within(low, high) => (map["minimum"], map["maximum"]) = (json!(low), json!(high)),
-    }
+    Bounds::of_parameter(p.range).keywords().into_iter().for_each(|(key, x)| map[key] = x);
     map
 }
 
@@ -170,7 +166,7 @@ fn bounds(p: &Parameter) -> Value {
     let about = |text: &str| format!("{text}: {}{}", p.about[..1].to_lowercase(), &p.about[1..]);
     let mut item = value(p);
     if TYPES.iter().flat_map(|t| t.parameters).any(|other| other.key == p.key && other.range != p.range) {
-        item = json!({ "type": "number", "minimum": 0 });
+        item = NOT_NEGATIVE.schema();
     }
     let one = |key: &str, inner: Value| json!({ "type": "object", "properties": { key: inner }, "required": [key], "additionalProperties": false });
     let pair = json!({ "type": "array", "description": "Two bounds.", "items": item, "minItems": 2, "maxItems": 2 });

@@ -1,5 +1,6 @@
 //! A material file.
 
+use super::bounds::POSITIVE;
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -8,18 +9,18 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawMaterialFile {
     /// Tensile strength.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1000]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [1000]))]
     pub tensile_strength_mpa: At<f64>,
     /// Yield strength.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [700]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [700]))]
     pub yield_strength_mpa: Option<At<f64>>,
     /// Fatigue limit in reversed bending.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [450]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [450]))]
     pub bending_fatigue_limit_mpa: At<f64>,
     /// Fatigue limit in reversed torsion.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [270]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [270]))]
     pub torsion_fatigue_limit_mpa: At<f64>,
     /// Largest stress of the fatigue limit in bending from zero; without it that of Goodman's line.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [620]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [620]))]
     pub repeated_bending_fatigue_limit_mpa: Option<At<f64>>,
 }

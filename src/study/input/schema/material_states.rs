@@ -1,11 +1,13 @@
 //! States of an absorber's material, as typed.
 
+use super::bounds::{
+    ACTIVATION, CYCLES, KRAUS_EXPONENT, KRAUS_RATIO, LIFE_EXPONENT, NOT_NEGATIVE, POSITIVE, SHARE_PER_KELVIN, STRAIN, TEMPERATURE,
+};
 use super::range::RawRange;
 use crate::absorber::types::parameter_keys;
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// Temperatures of the conditions `cold` and `hot`.
@@ -13,10 +15,10 @@ use std::collections::BTreeMap;
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawTemperatures {
     /// Temperature of the condition `cold`.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [-20]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [-20]))]
     pub cold_c: Option<At<f64>>,
     /// Temperature of the condition `hot`.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [90]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [90]))]
     pub hot_c: Option<At<f64>>,
 }
 
@@ -31,7 +33,7 @@ pub(crate) struct RawMaterialStates {
     #[schemars(extend("examples" = [{"wlf": {"c1": 8.86, "c2_k": 101.6, "reference_c": 50}}]))]
     pub temperature: Option<At<RawTemperatureLaw>>,
     /// By the key of a parameter its factor in the condition `aged`.
-    #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": parameter_keys() }, "additionalProperties" = factor_of_age(),
+    #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": parameter_keys() }, "additionalProperties" = POSITIVE.described("Factor on the parameter of this key.", 1.25),
         "examples" = [{"stiffness_n_m_per_rad": 1.25}]))]
     pub ageing: Option<RawAgeing>,
     /// How heat leaves the absorber.
@@ -46,10 +48,6 @@ pub(crate) struct RawMaterialStates {
     #[serde(default)]
     #[schemars(extend("propertyNames" = { "enum": parameter_keys() }, "examples" = [{"loss_factor": {"fixed": 0.2}}]))]
     pub properties: BTreeMap<String, RawRange>,
-}
-
-fn factor_of_age() -> Value {
-    json!({ "type": "number", "exclusiveMinimum": 0, "description": "Factor on the parameter of this key.", "examples": [1.25] })
 }
 
 /// How a material follows temperature.
@@ -70,13 +68,13 @@ pub(crate) enum RawTemperatureLaw {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawWlf {
     /// First constant of Williams, Landel and Ferry.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8.86]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [8.86]))]
     pub c1: At<f64>,
     /// Second constant.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [101.6]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [101.6]))]
     pub c2_k: At<f64>,
     /// Temperature that the values of the law are given for.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [50]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [50]))]
     pub reference_c: At<f64>,
 }
 
@@ -84,10 +82,10 @@ pub(crate) struct RawWlf {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawArrhenius {
     /// Activation energy.
-    #[schemars(extend("minimum" = 1, "maximum" = 500, "examples" = [16]))]
+    #[schemars(transform = ACTIVATION.of_number(), extend("examples" = [16]))]
     pub activation_kj_per_mol: At<f64>,
     /// Temperature that the values of the law are given for.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [25]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [25]))]
     pub reference_c: At<f64>,
 }
 
@@ -95,13 +93,13 @@ pub(crate) struct RawArrhenius {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawExponential {
     /// Share beta by which stiffness and loss factor of `rubber` fall per kelvin: both are multiplied by exp(-beta (T - reference_c)), as makers of couplings state it. Of other types the factor acts on damping and relaxation time.
-    #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.01]))]
+    #[schemars(transform = SHARE_PER_KELVIN.of_number(), extend("examples" = [0.01]))]
     pub per_k: At<f64>,
     /// Temperature that the values of the law are given for.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [20]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [20]))]
     pub reference_c: At<f64>,
     /// Lowest and highest temperature that the factor was measured at.
-    #[schemars(extend("items" = { "type": "number", "minimum": -100, "maximum": 400 }, "examples" = [[0, 100]]))]
+    #[schemars(transform = TEMPERATURE.of_list(), extend("examples" = [[0, 100]]))]
     pub between_c: At<Vec<At<f64>>>,
 }
 
@@ -109,7 +107,7 @@ pub(crate) struct RawExponential {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSiliconeOil {
     /// Temperature that the values of the law are given for.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [25]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [25]))]
     pub reference_c: At<f64>,
 }
 
@@ -121,19 +119,19 @@ pub(crate) type RawAgeing = At<BTreeMap<String, At<f64>>>;
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawCooling {
     /// Temperature of the air.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [60]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [60]))]
     pub air_c: At<f64>,
     /// Temperature of the hub.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [80]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [80]))]
     pub hub_c: At<f64>,
     /// Conductance to the air, or the disc it follows from.
     #[schemars(extend("examples" = [{"w_per_k": 2}]))]
     pub to_air: RawToAir,
     /// Conductance to the hub.
-    #[schemars(extend("minimum" = 0, "examples" = [1]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [1]))]
     pub to_hub_w_per_k: At<f64>,
     /// Temperature that the material bears; without it that of the compound or oil of `of`.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [110]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [110]))]
     pub limit_c: Option<At<f64>>,
 }
 
@@ -141,7 +139,7 @@ pub(crate) struct RawCooling {
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawToAir {
     /// Conductance to the air.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [2]))]
     WPerK(At<f64>),
     /// A rotating disc of the damper's own size, which its dimensions say.
     #[schemars(extend("enum" = [true], "examples" = [true]))]
@@ -154,10 +152,10 @@ pub(crate) enum RawToAir {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawDisc {
     /// Diameter of the rotating disc.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [220]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [220]))]
     pub diameter_mm: At<f64>,
     /// Width of the disc.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [40]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [40]))]
     pub width_mm: At<f64>,
 }
 
@@ -173,19 +171,19 @@ pub(crate) enum RawAmplitude {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawKraus {
     /// Storage modulus at no strain over that at large strain.
-    #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [2]))]
+    #[schemars(transform = KRAUS_RATIO.of_number(), extend("examples" = [2]))]
     pub storage_ratio: At<f64>,
     /// Largest loss modulus over that at large strain.
-    #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [2]))]
+    #[schemars(transform = KRAUS_RATIO.of_number(), extend("examples" = [2]))]
     pub loss_ratio: At<f64>,
     /// Strain at which half of the filler's structure is broken.
-    #[schemars(extend("minimum" = 1e-6, "maximum" = 10, "examples" = [0.02]))]
+    #[schemars(transform = STRAIN.of_number(), extend("examples" = [0.02]))]
     pub critical_strain: At<f64>,
     /// Exponent of Kraus.
-    #[schemars(extend("minimum" = 0.1, "maximum" = 2, "examples" = [0.6]))]
+    #[schemars(transform = KRAUS_EXPONENT.of_number(), extend("examples" = [0.6]))]
     pub exponent: At<f64>,
     /// Strain that the values of the law are given for.
-    #[schemars(extend("minimum" = 1e-6, "maximum" = 10, "examples" = [0.01]))]
+    #[schemars(transform = STRAIN.of_number(), extend("examples" = [0.01]))]
     pub reference_strain: At<f64>,
 }
 
@@ -194,13 +192,13 @@ pub(crate) struct RawKraus {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawLife {
     /// Amplitude of shear strain, zero to peak.
-    #[schemars(extend("minimum" = 1e-6, "maximum" = 10, "examples" = [0.1]))]
+    #[schemars(transform = STRAIN.of_number(), extend("examples" = [0.1]))]
     pub reference_strain: At<f64>,
     /// Cycles of that amplitude until it fails.
-    #[schemars(extend("minimum" = 1, "maximum" = 1e20, "examples" = [1e8]))]
+    #[schemars(transform = CYCLES.of_number(), extend("examples" = [1e8]))]
     pub reference_cycles: At<f64>,
     /// Power of the strain by which cycles become fewer.
-    #[schemars(extend("minimum" = 1, "maximum" = 30, "examples" = [5]))]
+    #[schemars(transform = LIFE_EXPONENT.of_number(), extend("examples" = [5]))]
     pub exponent: At<f64>,
 }
 
@@ -222,13 +220,13 @@ pub(crate) enum RawGeometry {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSleeve {
     /// Inner diameter of the rubber.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [180]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [180]))]
     pub inner_diameter_mm: At<f64>,
     /// Outer diameter of the rubber.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [190]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [190]))]
     pub outer_diameter_mm: At<f64>,
     /// Length of the sleeve.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [30]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [30]))]
     pub length_mm: At<f64>,
 }
 
@@ -236,16 +234,16 @@ pub(crate) struct RawSleeve {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFaces {
     /// Inner diameter of the rubber.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [100]))]
     pub inner_diameter_mm: At<f64>,
     /// Outer diameter of the rubber.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [200]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [200]))]
     pub outer_diameter_mm: At<f64>,
     /// Thickness of each layer.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [8]))]
     pub thickness_mm: At<f64>,
     /// Number of layers.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [2]))]
     pub count: At<f64>,
 }
 
@@ -253,16 +251,16 @@ pub(crate) struct RawFaces {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawWedges {
     /// Inner diameter of the rubber.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [100]))]
     pub inner_diameter_mm: At<f64>,
     /// Outer diameter of the rubber.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [200]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [200]))]
     pub outer_diameter_mm: At<f64>,
     /// Thickness over radius, the same everywhere: the strain is even.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.08]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.08]))]
     pub thickness_over_radius: At<f64>,
     /// Number of layers.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [2]))]
     pub count: At<f64>,
 }
 
@@ -270,15 +268,15 @@ pub(crate) struct RawWedges {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawGap {
     /// Bore of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [100]))]
     pub inner_diameter_mm: At<f64>,
     /// Outer diameter of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [200]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [200]))]
     pub outer_diameter_mm: At<f64>,
     /// Width of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [30]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [30]))]
     pub width_mm: At<f64>,
     /// Gap of the oil at rim, bore and faces.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.4]))]
     pub gap_mm: At<f64>,
 }

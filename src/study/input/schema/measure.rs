@@ -1,5 +1,6 @@
 //! Measures as typed: in `[[objective]]`, `[[constraint]]` and `[pareto]` alike. What belongs to one of them only (a limit) is looked at later.
 
+use super::bounds::{KR_STRENGTH, M68_STRENGTH, M68_STRESS_FACTOR, NOT_NEGATIVE, ORDER, POSITIVE};
 use super::fatigue::RawCriterion;
 use super::keyword::by_word;
 use super::measure_of_construction::{RawCost, RawEnvelope, RawMass, RawVolume};
@@ -63,7 +64,7 @@ macro_rules! over_speed {
         pub(crate) struct $name {
             $($(#[$about])* pub $field: $kind,)*
             /// Part of the speeds that counts: the lowest and the highest.
-            #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[1000, 2500]]))]
+            #[schemars(transform = POSITIVE.of_list(), extend("minItems" = 2, "maxItems" = 2, "examples" = [[1000, 2500]]))]
             pub speed_rpm: Option<At<Vec<At<f64>>>>,
             /// Ranges of speed that do not count.
             #[schemars(extend("examples" = [[[1400, 1500]]]))]
@@ -94,7 +95,7 @@ macro_rules! of_orders {
             #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
             over: Option<RawOver>,
             /// One order only.
-            #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
+            #[schemars(transform = ORDER.of_number(), extend("examples" = [6]))]
             order: Option<At<f64>>,
             $($limit)*
         });
@@ -110,7 +111,7 @@ of_orders!(RawTwist {
     to: At<String>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.4]))]
     max_deg: Option<At<f64>>,
 });
 of_orders!(RawAmplitude {
@@ -119,7 +120,7 @@ of_orders!(RawAmplitude {
     station: At<String>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.4]))]
     max_deg: Option<At<f64>>,
 });
 of_orders!(RawVelocity {
@@ -128,7 +129,7 @@ of_orders!(RawVelocity {
     station: At<String>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [10]))]
     max_rad_per_s: Option<At<f64>>,
 });
 of_orders!(RawAcceleration {
@@ -137,7 +138,7 @@ of_orders!(RawAcceleration {
     station: At<String>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2000]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [2000]))]
     max_rad_per_s2: Option<At<f64>>,
 });
 of_orders!(#[derive(Default)] RawTorque {
@@ -146,7 +147,7 @@ of_orders!(#[derive(Default)] RawTorque {
     shaft: Option<At<String>>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [900]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [900]))]
     max_n_m: Option<At<f64>>,
 });
 of_orders!(RawStress {
@@ -154,14 +155,14 @@ of_orders!(RawStress {
     #[schemars(extend("examples" = ["throw_6"]))]
     shaft: At<String>,
     /// Outer diameter of its section.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [72]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [72]))]
     outer_diameter_mm: At<f64>,
     /// Inner diameter of its section.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [20]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [20]))]
     inner_diameter_mm: Option<At<f64>>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [40]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [40]))]
     max_mpa: Option<At<f64>>,
     /// Limit by IACS UR M68, over speed.
     #[schemars(extend("examples" = [{"rated_speed_rpm": 2500, "tensile_strength_mpa": 600, "stress_factor": 1}]))]
@@ -176,7 +177,7 @@ of_orders!(#[derive(Default)] RawRingTwist {
     absorber: Option<At<i64>>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [3]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [3]))]
     max_deg: Option<At<f64>>,
 });
 of_orders!(RawStrain {
@@ -184,14 +185,14 @@ of_orders!(RawStrain {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Mean radius of the element.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [95]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [95]))]
     mean_radius_mm: At<f64>,
     /// Its thickness.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [5]))]
     thickness_mm: At<f64>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [10]))]
     max_percent: Option<At<f64>>,
 });
 over_speed!(#[derive(Default)] RawPower {
@@ -202,7 +203,7 @@ over_speed!(#[derive(Default)] RawPower {
     #[schemars(extend("default" = "speed", "examples" = ["duty"]))]
     over: Option<RawPowerOver>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [150]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [150]))]
     max_w: Option<At<f64>>,
 });
 over_speed!(RawPowerPerArea {
@@ -210,13 +211,13 @@ over_speed!(RawPowerPerArea {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Area that heat leaves by.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.05]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.05]))]
     area_m2: At<f64>,
     /// The worst speed, or the mean over the duty.
     #[schemars(extend("default" = "speed", "examples" = ["duty"]))]
     over: Option<RawPowerOver>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5000]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [5000]))]
     max_w_per_m2: Option<At<f64>>,
 });
 of_orders!(RawSpringStress {
@@ -224,11 +225,11 @@ of_orders!(RawSpringStress {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Stress of the springs per twist of the ring, from their drawing.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [180]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [180]))]
     mpa_per_deg: At<f64>,
 } limited {
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [400]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [400]))]
     max_mpa: Option<At<f64>>,
 });
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -238,7 +239,7 @@ pub(crate) struct RawLifeOf {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: At<i64>,
     /// Least life over the duty.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8000]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [8000]))]
     pub min_h: Option<At<f64>>,
 }
 over_speed!(RawTemperature {
@@ -246,7 +247,7 @@ over_speed!(RawTemperature {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [110]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [110]))]
     max_c: Option<At<f64>>,
 });
 over_speed!(RawOwnStrain {
@@ -254,7 +255,7 @@ over_speed!(RawOwnStrain {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [12]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [12]))]
     max_percent: Option<At<f64>>,
 });
 
@@ -263,7 +264,7 @@ over_speed!(#[derive(Default)] RawMargin {
     #[schemars(extend("examples" = ["goodman"]))]
     criterion: Option<At<RawCriterion>>,
     /// Least margin.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1.5]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [1.5]))]
     min: Option<At<f64>>,
 });
 
@@ -271,10 +272,10 @@ over_speed!(#[derive(Default)] RawMargin {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawKrCrank {
     /// Rated speed of the crankshaft.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2500]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [2500]))]
     pub rated_speed_rpm: At<f64>,
     /// Tensile strength.
-    #[schemars(extend("minimum" = 400, "maximum" = 1500, "examples" = [900]))]
+    #[schemars(transform = KR_STRENGTH.of_number(), extend("examples" = [900]))]
     pub tensile_strength_mpa: At<f64>,
     /// Kind of engine.
     #[schemars(extend("examples" = ["four_stroke_in_line"]))]
@@ -295,16 +296,16 @@ pub(crate) enum RawKrEngine {
 #[schemars(extend("oneOf" = [{ "required": ["rated_speed_rpm"] }, { "required": ["rated_shaft_speed_rpm"] }]))]
 pub(crate) struct RawM68 {
     /// Rated speed of the crankshaft, of a shaft behind a gear, too; or `rated_shaft_speed_rpm`.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2500]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [2500]))]
     pub rated_speed_rpm: Option<At<f64>>,
     /// Rated speed of the shaft itself, which behind a gear is another one than that of the crankshaft; in place of `rated_speed_rpm`.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [500]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [500]))]
     pub rated_shaft_speed_rpm: Option<At<f64>>,
     /// Specified minimum tensile strength, as the rule counts it: at most 800 of alloy steel, 600 of carbon and carbon-manganese steel and of any propeller shaft.
-    #[schemars(extend("minimum" = 400, "maximum" = 800, "examples" = [600]))]
+    #[schemars(transform = M68_STRENGTH.of_number(), extend("examples" = [600]))]
     pub tensile_strength_mpa: At<f64>,
     /// c_K of the rule: 1 for an intermediate shaft with an integral flange or a shrink fit, 0.6 with a tapered keyway, 0.45 with a cylindrical one, 0.5 with a radial hole, 0.3 with a longitudinal slot; 0.85 for a thrust shaft; 0.55 for a propeller shaft near its propeller, 0.8 forward of it.
-    #[schemars(extend("minimum" = 0.1, "maximum" = 1, "examples" = [1]))]
+    #[schemars(transform = M68_STRESS_FACTOR.of_number(), extend("examples" = [1]))]
     pub stress_factor: At<f64>,
 }
 
@@ -315,7 +316,7 @@ pub(crate) struct RawLossFactor {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: Option<At<i64>>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.25]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.25]))]
     pub max: Option<At<f64>>,
 }
 
@@ -326,7 +327,7 @@ pub(crate) struct RawInertia {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: Option<At<i64>>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.1]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.1]))]
     pub max_kg_m2: Option<At<f64>>,
 }
 
@@ -334,7 +335,7 @@ pub(crate) struct RawInertia {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBand {
     /// Band that natural frequencies keep out of.
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "examples" = [[180, 220]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("examples" = [[180, 220]]))]
     pub outside_hz: At<Vec<At<f64>>>,
 }
 

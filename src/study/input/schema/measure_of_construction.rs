@@ -1,5 +1,6 @@
 //! Measures of dampers by their dimensions, as typed.
 
+use super::bounds::{NOT_NEGATIVE, POSITIVE};
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -11,7 +12,7 @@ pub(crate) struct RawMass {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: Option<At<i64>>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [8]))]
     pub max_kg: Option<At<f64>>,
 }
 
@@ -22,7 +23,7 @@ pub(crate) struct RawVolume {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: Option<At<i64>>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [3]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [3]))]
     pub max_l: Option<At<f64>>,
 }
 
@@ -33,19 +34,19 @@ pub(crate) struct RawCost {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: Option<At<i64>>,
     /// Whatever the size, in the currency of the tables of compounds and oils, whose prices are added.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [20]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [20]))]
     pub fixed: Option<At<f64>>,
     /// Per kg of the ring.
-    #[schemars(extend("minimum" = 0, "examples" = [3]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [3]))]
     pub ring_per_kg: At<f64>,
     /// Per kg of a housing.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [5]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [5]))]
     pub housing_per_kg: Option<At<f64>>,
     /// Per mm of the outer diameter.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0.05]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [0.05]))]
     pub per_mm_of_diameter: Option<At<f64>>,
     /// Largest value allowed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [60]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [60]))]
     pub max: Option<At<f64>>,
 }
 
@@ -58,12 +59,12 @@ pub(crate) struct RawEnvelope {
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: At<i64>,
     /// Largest outer diameter.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [270]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [270]))]
     pub outer_diameter_mm: Option<At<f64>>,
     /// Largest width.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [60]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [60]))]
     pub width_mm: Option<At<f64>>,
     /// Smallest diameter that is free inside.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [100]))]
     pub bore_mm: Option<At<f64>>,
 }

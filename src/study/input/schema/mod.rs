@@ -1,6 +1,7 @@
 //! Files as typed: keys, units and choices, nothing checked but grammar and type.
 
 pub mod absorber;
+pub mod bounds;
 pub mod campaign;
 pub mod catalogue;
 pub mod crank;

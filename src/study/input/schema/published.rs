@@ -1,5 +1,6 @@
 //! The table of a study that names published numbers.
 
+use super::bounds::POSITIVE;
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -66,27 +67,27 @@ pub(crate) struct RawPublished {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawTolerances {
     /// Of natural frequencies.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [1]))]
     pub frequency: Option<At<f64>>,
     /// Of critical speeds.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [1]))]
     pub critical_speed: Option<At<f64>>,
     /// Of stiffnesses of absorbers.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [2]))]
     pub stiffness: Option<At<f64>>,
     /// Of dampings of absorbers.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [2]))]
     pub damping: Option<At<f64>>,
     /// Of amplitudes, the median.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [10]))]
     pub amplitude_median: Option<At<f64>>,
     /// Of amplitudes, the worst.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [30]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [30]))]
     pub amplitude_worst: Option<At<f64>>,
     /// Of safety factors.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [10]))]
     pub safety_factor: Option<At<f64>>,
     /// Of multiaxial safety factors.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [5]))]
     pub multiaxial_factor: Option<At<f64>>,
 }

@@ -1,5 +1,6 @@
 //! A value, two bounds, or a list, as typed.
 
+use super::bounds::{Bounds, NOT_NEGATIVE};
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -10,13 +11,13 @@ use serde_json::{Value, json};
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawRange {
     /// One value.
-    #[schemars(extend("minimum" = 0, "examples" = [0.076]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [0.076]))]
     Fixed(At<f64>),
     /// Two bounds.
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     Between(At<Vec<At<f64>>>),
     /// A list of values.
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "minItems" = 1, "examples" = [[0.03, 0.076]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("minItems" = 1, "examples" = [[0.03, 0.076]]))]
     Each(At<Vec<At<f64>>>),
 }
 
@@ -31,7 +32,7 @@ pub(crate) struct RawBounds {
 }
 
 /// Two bounds within a range, for the schema.
-pub(super) fn between(low: f64, high: f64, example: [f64; 2]) -> Value {
-    let item = json!({ "type": "number", "minimum": low, "maximum": high });
+pub(super) fn between(bounds: &Bounds, example: [f64; 2]) -> Value {
+    let item = bounds.schema();
     json!({ "between": { "type": "array", "description": "Two bounds.", "items": item, "minItems": 2, "maxItems": 2, "examples": [example] } })
 }

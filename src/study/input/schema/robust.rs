@@ -1,25 +1,25 @@
 //! Tolerances that a design is to hold within.
 
+use super::bounds::{PERCENTILE, POSITIVE, SAMPLES, TOLERANCE, YIELD_PERCENT};
 use super::prove::RawProve;
 use crate::absorber::SHAPES;
 use crate::absorber::types::parameter_keys;
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("anyOf" = [{ "required": ["tolerance"] }, { "required": ["process"] }]))]
 pub(crate) struct RawRobust {
-    /// By the key of a parameter its tolerance as a share, from 1e-6 to 0.9: 0.1 is 10 % more or less.
+    /// By the key of a parameter its tolerance as a share: 0.1 is 10 % more or less.
     #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": parameter_keys() },
-        "additionalProperties" = share("Tolerance of the parameter of this key."), "examples" = [{"stiffness_n_m_per_rad": 0.1}]))]
+        "additionalProperties" = TOLERANCE.described("Tolerance of the parameter of this key.", 0.1), "examples" = [{"stiffness_n_m_per_rad": 0.1}]))]
     pub tolerance: Option<At<BTreeMap<String, At<f64>>>>,
     /// What the making of dampers by their dimensions scatters, more or less: a dimension by its key, in its unit; `hardness_shore_a` of rubber; `viscosity_percent` of oil.
     #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": process_keys() },
-        "additionalProperties" = { "type": "number", "exclusiveMinimum": 0, "description": "Tolerance, in the unit of the key.", "examples": [0.2] },
+        "additionalProperties" = POSITIVE.described("Tolerance, in the unit of the key.", 0.2),
         "examples" = [{"rubber_thickness_mm": 0.2, "hardness_shore_a": 5}]))]
     pub process: Option<At<BTreeMap<String, At<f64>>>>,
     /// Whether optima within the tolerances are sought beside those as drawn, which takes several times as long.
@@ -40,11 +40,11 @@ pub(crate) struct RawRobust {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawAllocate {
     /// Per cent of the random designs of `sampling` that are to hold all limits; without it every one within the tolerances, as far as it is searched.
-    #[schemars(extend("minimum" = 50, "maximum" = 99.9, "examples" = [99]))]
+    #[schemars(transform = YIELD_PERCENT.of_number(), extend("examples" = [99]))]
     pub yield_percent: Option<At<f64>>,
     /// What each tolerance costs as wide as it is given, in any currency, by its key: half as wide it costs twice as much. With it the cheapest are found.
     #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": scattered_keys() },
-        "additionalProperties" = { "type": "number", "exclusiveMinimum": 0, "description": "Cost of the tolerance of this key.", "examples": [3] },
+        "additionalProperties" = POSITIVE.described("Cost of the tolerance of this key.", 3.0),
         "examples" = [{"rubber_thickness_mm": 3, "hardness_shore_a": 5}]))]
     pub cost: Option<At<BTreeMap<String, At<f64>>>>,
 }
@@ -77,19 +77,14 @@ pub(crate) const HARDNESS: &str = "hardness_shore_a";
 /// Key of the scatter of viscosity.
 pub(crate) const VISCOSITY: &str = "viscosity_percent";
 
-/// A share of a parameter.
-pub(super) fn share(about: &str) -> Value {
-    json!({ "type": "number", "minimum": 1e-6, "maximum": 0.9, "description": about, "examples": [0.1] })
-}
-
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSampling {
     /// Per cent of the designs that are no worse.
-    #[schemars(extend("minimum" = 1, "maximum" = 99.9, "examples" = [95]))]
+    #[schemars(transform = PERCENTILE.of_number(), extend("examples" = [95]))]
     pub percentile: At<f64>,
     /// Number of random designs.
-    #[schemars(extend("minimum" = 100, "maximum" = 1000000, "examples" = [1000]))]
+    #[schemars(transform = SAMPLES.of_number(), extend("examples" = [1000]))]
     pub samples: At<i64>,
     /// How deviations are distributed; of normal ones the tolerance is three standard deviations.
     #[schemars(extend("examples" = ["uniform"]))]

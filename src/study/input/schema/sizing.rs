@@ -1,6 +1,10 @@
 //! The sizing file.
 
 use super::absorber::RawKind;
+use super::bounds::{
+    BORE_TO_STROKE, CRANK_TO_ROD, EYE_RATIO, FRACTION_OF_EACH_MODE, FRICTION, INERTIA, LENGTH_MM, NOT_NEGATIVE, POINTS_OF_SIZING, POSITIVE,
+    SAFETY_FACTOR, TEMPERATURE_OF_STEEL,
+};
 use super::crank::RawFormula;
 use super::engine::{RawLayout, RawPressure};
 use super::fatigue::RawSurface;
@@ -24,10 +28,10 @@ pub(crate) struct RawSizing {
     #[schemars(extend("examples" = [{"from": 1000, "to": 6000, "step": 500}]))]
     pub speed_rpm: At<RawSpeeds>,
     /// Safety factor of the sizes.
-    #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [2]))]
+    #[schemars(transform = SAFETY_FACTOR.of_number(), extend("examples" = [2]))]
     pub design_factor: At<f64>,
     /// Safety factor against buckling of the rod.
-    #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [3]))]
+    #[schemars(transform = SAFETY_FACTOR.of_number(), extend("examples" = [3]))]
     pub buckling_factor: At<f64>,
     /// Reliability, one of the tabulated values.
     #[schemars(extend("enum" = RELIABILITIES, "examples" = [99]))]
@@ -86,11 +90,11 @@ pub(crate) enum RawBending {
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawBasis {
     /// The stroke.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [90]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [90]))]
     StrokeMm(At<f64>),
     /// Displacement of the engine.
     #[serde(rename = "displacement_cm3")]
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1600]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [1600]))]
     DisplacementCm3(At<f64>),
     /// Brake power with its mean effective pressure.
     Power(RawPower),
@@ -100,10 +104,10 @@ pub(crate) enum RawBasis {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawPower {
     /// Brake power.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [60]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [60]))]
     pub power_kw: At<f64>,
     /// Brake mean effective pressure.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [9]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [9]))]
     pub mean_effective_pressure_bar: At<f64>,
 }
 
@@ -114,31 +118,31 @@ pub(crate) struct RawMechanism {
     #[schemars(extend("examples" = [{"stroke_mm": 90}]))]
     pub basis: At<RawBasis>,
     /// Bore over stroke.
-    #[schemars(extend("minimum" = 0.1, "maximum" = 10, "examples" = [1]))]
+    #[schemars(transform = BORE_TO_STROKE.of_number(), extend("examples" = [1]))]
     pub bore_to_stroke: At<f64>,
     /// Crank radius over length of the rod.
-    #[schemars(extend("minimum" = 0.01, "exclusiveMaximum" = 0.95, "examples" = [0.27]))]
+    #[schemars(transform = CRANK_TO_ROD.of_number(), extend("examples" = [0.27]))]
     pub crank_to_rod: At<f64>,
     /// Piston with pin and rings.
-    #[schemars(extend("minimum" = 0, "examples" = [0.5]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [0.5]))]
     pub piston_mass_kg: At<f64>,
     /// Friction coefficient of piston and liner.
-    #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.05]))]
+    #[schemars(transform = FRICTION.of_number(), extend("examples" = [0.05]))]
     pub liner_friction: At<f64>,
     /// Pressure below the piston, absolute.
-    #[schemars(extend("minimum" = 0, "examples" = [1]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [1]))]
     pub crankcase_pressure_bar: At<f64>,
     /// Radius of all fillets.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [3]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [3]))]
     pub fillet_radius_mm: At<f64>,
     /// Clearance between pin and eye.
-    #[schemars(extend("minimum" = 0, "examples" = [1]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [1]))]
     pub eye_clearance_mm: At<f64>,
     /// Least ratio of outer to inner diameter of an eye.
-    #[schemars(extend("minimum" = 1.02, "maximum" = 4, "examples" = [1.2]))]
+    #[schemars(transform = EYE_RATIO.of_number(), extend("examples" = [1.2]))]
     pub least_eye_ratio: At<f64>,
     /// Density of the rod.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [7850]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [7850]))]
     pub density_kg_m3: At<f64>,
 }
 
@@ -157,19 +161,19 @@ pub(crate) struct RawMaterials {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawPart {
     /// Tensile strength.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [900]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [900]))]
     pub tensile_strength_mpa: At<f64>,
     /// Yield strength.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [650]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [650]))]
     pub yield_strength_mpa: At<f64>,
     /// Yield strength in shear.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [375]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [375]))]
     pub shear_yield_strength_mpa: At<f64>,
     /// Finish of the surface.
     #[schemars(extend("examples" = ["machined"]))]
     pub surface: RawSurface,
     /// Temperature of the part.
-    #[schemars(extend("minimum" = -60, "maximum" = 550, "examples" = [90]))]
+    #[schemars(transform = TEMPERATURE_OF_STEEL.of_number(), extend("examples" = [90]))]
     pub temperature_c: At<f64>,
 }
 
@@ -177,22 +181,22 @@ pub(crate) struct RawPart {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBearings {
     /// From the bearing before a throw to its middle.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [50]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [50]))]
     pub before_throw_mm: At<f64>,
     /// From the middle of a throw to the bearing after it.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [50]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [50]))]
     pub after_throw_mm: At<f64>,
     /// From the last bearing to the flywheel.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [60]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [60]))]
     pub before_flywheel_mm: At<f64>,
     /// From the flywheel to the bearing after it.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [40]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [40]))]
     pub after_flywheel_mm: At<f64>,
     /// Weight of the flywheel.
-    #[schemars(extend("minimum" = 0, "examples" = [150]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [150]))]
     pub flywheel_weight_n: At<f64>,
     /// Tension of the belt at the pulley.
-    #[schemars(extend("minimum" = 0, "examples" = [300]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [300]))]
     pub belt_tension_n: At<f64>,
 }
 
@@ -200,34 +204,34 @@ pub(crate) struct RawBearings {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawGiven {
     /// Diameter of the piston pin.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [22]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [22]))]
     pub pin_diameter_mm: Option<At<f64>>,
     /// Thickness of the rod's shank.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [5]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [5]))]
     pub shank_thickness_mm: Option<At<f64>>,
     /// Outer over inner diameter of the small eye.
-    #[schemars(extend("minimum" = 1.02, "maximum" = 4, "examples" = [1.4]))]
+    #[schemars(transform = EYE_RATIO.of_number(), extend("examples" = [1.4]))]
     pub small_eye_ratio: Option<At<f64>>,
     /// Outer over inner diameter of the big eye.
-    #[schemars(extend("minimum" = 1.02, "maximum" = 4, "examples" = [1.3]))]
+    #[schemars(transform = EYE_RATIO.of_number(), extend("examples" = [1.3]))]
     pub big_eye_ratio: Option<At<f64>>,
     /// Diameter of the crankpin.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [45]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [45]))]
     pub crankpin_diameter_mm: Option<At<f64>>,
     /// Length of the crankpin.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [28]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [28]))]
     pub crankpin_length_mm: Option<At<f64>>,
     /// Diameter of the journal.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [50]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [50]))]
     pub journal_diameter_mm: Option<At<f64>>,
     /// Thickness of the webs.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [16]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [16]))]
     pub web_thickness_mm: Option<At<f64>>,
     /// Breadth of the webs.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [70]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [70]))]
     pub web_breadth_mm: Option<At<f64>>,
     /// Diameter of the flywheel's seat.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [40]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [40]))]
     pub seat_diameter_mm: Option<At<f64>>,
 }
 
@@ -235,19 +239,19 @@ pub(crate) struct RawGiven {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSizedChain {
     /// Inertia of the pulley.
-    #[schemars(extend("minimum" = 1e-9, "maximum" = 1000000000.0, "examples" = [0.005]))]
+    #[schemars(transform = INERTIA.of_number(), extend("examples" = [0.005]))]
     pub pulley_inertia_kg_m2: At<f64>,
     /// From the pulley to the first throw.
-    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [60]))]
+    #[schemars(transform = LENGTH_MM.of_number(), extend("examples" = [60]))]
     pub pulley_distance_mm: At<f64>,
     /// Inertia of the flywheel.
-    #[schemars(extend("minimum" = 1e-9, "maximum" = 1000000000.0, "examples" = [0.15]))]
+    #[schemars(transform = INERTIA.of_number(), extend("examples" = [0.15]))]
     pub flywheel_inertia_kg_m2: At<f64>,
     /// Formula for the torsional stiffness of a throw.
     #[schemars(extend("examples" = ["ker_wilson"]))]
     pub stiffness_formula: At<RawFormula>,
     /// Fraction of critical damping of every mode.
-    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 1, "examples" = [0.01]))]
+    #[schemars(transform = FRACTION_OF_EACH_MODE.of_number(), extend("examples" = [0.01]))]
     pub fraction_of_critical: At<f64>,
 }
 
@@ -259,7 +263,7 @@ pub(crate) struct RawSizedAbsorber {
     #[schemars(with = "RawKind", extend("examples" = ["tuned"]))]
     pub kind: At<String>,
     /// Inertia of the ring.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.02]))]
+    #[schemars(transform = INERTIA.of_number(), extend("examples" = [0.02]))]
     pub ring_inertia_kg_m2: At<f64>,
 }
 
@@ -267,9 +271,9 @@ pub(crate) struct RawSizedAbsorber {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSizingFront {
     /// Smallest and largest size of the ring.
-    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.005, 0.05]]))]
+    #[schemars(transform = INERTIA.of_list(), extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.005, 0.05]]))]
     pub ring_inertia_kg_m2: At<Vec<At<f64>>>,
     /// Points of the front.
-    #[schemars(extend("minimum" = 2, "maximum" = 100, "examples" = [10]))]
+    #[schemars(transform = POINTS_OF_SIZING.of_number(), extend("examples" = [10]))]
     pub points: At<i64>,
 }

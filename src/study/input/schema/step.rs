@@ -1,5 +1,6 @@
 //! A length of shaft.
 
+use super::bounds::{NOT_NEGATIVE, POSITIVE};
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -8,12 +9,12 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawStep {
     /// Outer diameter.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [60]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [60]))]
     pub diameter_mm: At<f64>,
     /// Inner diameter.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [20]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [20]))]
     pub bore_mm: Option<At<f64>>,
     /// Length.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [120]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [120]))]
     pub length_mm: At<f64>,
 }

@@ -1,6 +1,10 @@
 //! The study file.
 
 use super::absorber::{RawAbsorber, RawOptimised};
+use super::bounds::{
+    BURN_DURATION, BURN_START, COMBUSTION, COMPRESSION_RATIO, FITTED_BOOST, FITTED_DAMPING, FITTED_LOSS_FACTOR, FITTED_PRESSURE_SCALE,
+    HEAT_CAPACITY_RATIO, LOAD, ORDER_LIMIT, POINTS_OF_FRONT, POSITIVE, RANDOM_STARTS, RELATIVE_ERROR, SEED, SHARE_OF_TIME, WIEBE_EXPONENT,
+};
 use super::catalogue::RawCatalogue;
 use super::fatigue::RawFatigue;
 use super::keyword::by_word;
@@ -34,10 +38,10 @@ pub(crate) struct RawStudy {
     #[schemars(extend("examples" = [{"from": 600, "to": 3200, "step": 10}]))]
     pub speed_rpm: At<RawSpeeds>,
     /// Highest order of the torque that is taken.
-    #[schemars(extend("minimum" = 0.5, "maximum" = 200, "default" = 12, "examples" = [12]))]
+    #[schemars(transform = ORDER_LIMIT.of_number(), extend("default" = 12, "examples" = [12]))]
     pub order_limit: Option<At<f64>>,
     /// Share of the full-load mean pressure, at all speeds.
-    #[schemars(extend("minimum" = 0, "maximum" = 1.2, "default" = 1, "examples" = [0.75]))]
+    #[schemars(transform = LOAD.of_number(), extend("default" = 1, "examples" = [0.75]))]
     pub load_fraction: Option<At<f64>>,
     /// Share of the full-load mean pressure over speed, in place of `load_fraction`.
     #[schemars(extend("examples" = [{"speed_rpm": [600, 3200], "fraction": [0.2, 0.8]}]))]
@@ -104,7 +108,7 @@ by_word!(RawCondition, "Condition", Condition::NAMED, Condition::name, Self);
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawScatter {
     /// Deviation of the gas torque of each cylinder, as a share; one a cylinder.
-    #[schemars(extend("items" = { "type": "number", "minimum": -1, "maximum": 1 }, "examples" = [[0.05, -0.05, 0.02, -0.02]]))]
+    #[schemars(transform = COMBUSTION.of_list(), extend("examples" = [[0.05, -0.05, 0.02, -0.02]]))]
     pub combustion: At<Vec<At<f64>>>,
 }
 
@@ -112,13 +116,13 @@ pub(crate) struct RawScatter {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSpeeds {
     /// Lowest speed.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [600]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [600]))]
     pub from: At<f64>,
     /// Highest speed; it is one of the sweep whatever the step.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [3200]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [3200]))]
     pub to: At<f64>,
     /// Step of the sweep.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [10]))]
     pub step: At<f64>,
 }
 
@@ -126,10 +130,10 @@ pub(crate) struct RawSpeeds {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawPartLoad {
     /// Ascending speeds; linear between them.
-    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 1, "examples" = [[600, 3200]]))]
+    #[schemars(transform = POSITIVE.of_list(), extend("minItems" = 1, "examples" = [[600, 3200]]))]
     pub speed_rpm: At<Vec<At<f64>>>,
     /// Share of the full-load mean pressure at each speed.
-    #[schemars(extend("items" = { "type": "number", "minimum": 0, "maximum": 1.2 }, "minItems" = 1, "examples" = [[0.2, 0.8]]))]
+    #[schemars(transform = LOAD.of_list(), extend("minItems" = 1, "examples" = [[0.2, 0.8]]))]
     pub fraction: At<Vec<At<f64>>>,
 }
 
@@ -137,13 +141,13 @@ pub(crate) struct RawPartLoad {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawDuty {
     /// A speed of the study.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1800]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [1800]))]
     pub speed_rpm: At<f64>,
     /// Share of the full-load mean pressure.
-    #[schemars(extend("minimum" = 0, "maximum" = 1.2, "examples" = [0.6]))]
+    #[schemars(transform = LOAD.of_number(), extend("examples" = [0.6]))]
     pub load_fraction: At<f64>,
     /// Share of time; all shares add up to 1.
-    #[schemars(extend("minimum" = 0, "maximum" = 1, "examples" = [0.25]))]
+    #[schemars(transform = SHARE_OF_TIME.of_number(), extend("examples" = [0.25]))]
     pub share: At<f64>,
 }
 
@@ -155,7 +159,7 @@ pub(crate) struct RawResponse {
     #[schemars(extend("default" = "auto", "examples" = ["direct"]))]
     pub method: RawMethod,
     /// Relative error that searches may leave; what is reported is exact.
-    #[schemars(extend("minimum" = 1e-9, "maximum" = 0.1, "default" = 0.001, "examples" = [0.001]))]
+    #[schemars(transform = RELATIVE_ERROR.of_number(), extend("default" = 0.001, "examples" = [0.001]))]
     pub tolerance: Option<At<f64>>,
     /// Whether peaks are sought between the speeds of the sweep.
     #[schemars(extend("default" = true, "examples" = [true]))]
@@ -200,10 +204,10 @@ pub(crate) struct RawDesign {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawOptimise {
     /// Seed of the random starts.
-    #[schemars(extend("minimum" = 0, "default" = 1, "examples" = [1]))]
+    #[schemars(transform = SEED.of_number(), extend("default" = 1, "examples" = [1]))]
     pub seed: Option<At<i64>>,
     /// Random starts beside those of closed forms.
-    #[schemars(extend("minimum" = 0, "maximum" = 1000, "default" = 4, "examples" = [8]))]
+    #[schemars(transform = RANDOM_STARTS.of_number(), extend("default" = 4, "examples" = [8]))]
     pub random_starts: Option<At<i64>>,
     /// Conditions in which the optimum has to be good: the worst one counts.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true, "default" = ["firing"], "examples" = [["firing", "misfire"]]))]
@@ -231,10 +235,10 @@ pub(crate) struct RawCombined {
     #[schemars(extend("minItems" = 2, "uniqueItems" = true, "examples" = [["peak_twist", "dissipated_power"]]))]
     pub of: At<Vec<At<String>>>,
     /// A target for each, in its unit.
-    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "examples" = [[0.4, 150]]))]
+    #[schemars(transform = POSITIVE.of_list(), extend("examples" = [[0.4, 150]]))]
     pub targets: At<Vec<At<f64>>>,
     /// With them the weighted sum counts; without, the largest.
-    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "examples" = [[1, 0.5]]))]
+    #[schemars(transform = POSITIVE.of_list(), extend("examples" = [[1, 0.5]]))]
     pub weights: Option<At<Vec<At<f64>>>>,
 }
 
@@ -243,7 +247,7 @@ pub(crate) struct RawCombined {
 #[schemars(extend("oneOf" = [{ "required": ["against"] }, { "required": ["of"] }]))]
 pub(crate) struct RawPareto {
     /// Points of each front.
-    #[schemars(extend("minimum" = 2, "maximum" = 10000, "examples" = [40]))]
+    #[schemars(transform = POINTS_OF_FRONT.of_number(), extend("examples" = [40]))]
     pub points: At<i64>,
     /// Smallest and largest size of the ring, for a front of the objective against size.
     #[schemars(extend("examples" = [{"ring_inertia_kg_m2": [0.01, 0.2]}]))]
@@ -258,10 +262,10 @@ pub(crate) struct RawPareto {
 pub(crate) enum RawAgainst {
     /// Smallest and largest inertia of the ring.
     #[serde(rename = "ring_inertia_kg_m2")]
-    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
+    #[schemars(transform = POSITIVE.of_list(), extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     RingInertia(At<Vec<At<f64>>>),
     /// Smallest and largest inertia of the ring over the one that `engine_inertia` of its absorber names.
-    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
+    #[schemars(transform = POSITIVE.of_list(), extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     InertiaRatio(At<Vec<At<f64>>>),
 }
 
@@ -280,34 +284,34 @@ pub(crate) struct RawCalibrate {
     #[schemars(extend("examples" = [["throw_damping"]]))]
     pub tuned_by_hand: Option<At<Vec<At<String>>>>,
     /// Bounds of the factor on the pressure.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1e-6, 5.0, [0.5, 2.0]), "examples" = [{"between": [0.5, 2]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&FITTED_PRESSURE_SCALE, [0.5, 2.0]), "examples" = [{"between": [0.5, 2]}]))]
     pub pressure_scale: Option<At<RawRange>>,
     /// Bounds of the compression ratio.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1.5, 50.0, [8.0, 20.0]), "examples" = [{"between": [8, 20]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&COMPRESSION_RATIO, [8.0, 20.0]), "examples" = [{"between": [8, 20]}]))]
     pub compression_ratio: Option<At<RawRange>>,
     /// Bounds of the ratio of heat capacities.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1.05, 1.67, [1.25, 1.4]), "examples" = [{"between": [1.25, 1.4]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&HEAT_CAPACITY_RATIO, [1.25, 1.4]), "examples" = [{"between": [1.25, 1.4]}]))]
     pub heat_capacity_ratio: Option<At<RawRange>>,
     /// Bounds of the inlet pressure.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1e-6, 100.0, [1.0, 3.0]), "examples" = [{"between": [1, 3]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&FITTED_BOOST, [1.0, 3.0]), "examples" = [{"between": [1, 3]}]))]
     pub boost_bar: Option<At<RawRange>>,
     /// Bounds of the start of burning.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(-90.0, 90.0, [-15.0, 5.0]), "examples" = [{"between": [-15, 5]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&BURN_START, [-15.0, 5.0]), "examples" = [{"between": [-15, 5]}]))]
     pub burn_start_deg: Option<At<RawRange>>,
     /// Bounds of the duration of burning.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1.0, 170.0, [40.0, 90.0]), "examples" = [{"between": [40, 90]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&BURN_DURATION, [40.0, 90.0]), "examples" = [{"between": [40, 90]}]))]
     pub burn_duration_deg: Option<At<RawRange>>,
     /// Bounds of Wiebe's exponent.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(0.1, 10.0, [0.5, 3.0]), "examples" = [{"between": [0.5, 3]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&WIEBE_EXPONENT, [0.5, 3.0]), "examples" = [{"between": [0.5, 3]}]))]
     pub wiebe_exponent: Option<At<RawRange>>,
     /// Bounds of the damping to ground at the throws.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(0.0, 1e9, [0.1, 20.0]), "examples" = [{"between": [0.1, 20]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&FITTED_DAMPING, [0.1, 20.0]), "examples" = [{"between": [0.1, 20]}]))]
     pub throw_damping_n_m_s_per_rad: Option<At<RawRange>>,
     /// Bounds of the damping of the shafts.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(0.0, 1e9, [0.1, 100.0]), "examples" = [{"between": [0.1, 100]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&FITTED_DAMPING, [0.1, 100.0]), "examples" = [{"between": [0.1, 100]}]))]
     pub shaft_damping_n_m_s_per_rad: Option<At<RawRange>>,
     /// Bounds of the loss factor of the shafts.
-    #[schemars(with = "Option<RawBounds>", extend("properties" = between(0.0, 1.0, [0.001, 0.05]), "examples" = [{"between": [0.001, 0.05]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(&FITTED_LOSS_FACTOR, [0.001, 0.05]), "examples" = [{"between": [0.001, 0.05]}]))]
     pub shaft_loss_factor: Option<At<RawRange>>,
 }
 

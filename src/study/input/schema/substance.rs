@@ -1,5 +1,6 @@
 //! A file of compounds and oils.
 
+use super::bounds::{DENSITY, EXPONENT, FLOW_INDEX, GLASS_RATIO, NOT_NEGATIVE, POSITIVE, SHORE_A, TEMPERATURE};
 use super::material_states::{RawAmplitude, RawLife, RawTemperatureLaw};
 use crate::input::error::At;
 use schemars::JsonSchema;
@@ -25,24 +26,24 @@ pub(crate) struct RawRubber {
     #[schemars(extend("minLength" = 1, "examples" = ["EPDM with carbon black"]))]
     pub about: At<String>,
     /// Stiffness at infinite frequency over that at none.
-    #[schemars(extend("exclusiveMinimum" = 1, "examples" = [500]))]
+    #[schemars(transform = GLASS_RATIO.of_number(), extend("examples" = [500]))]
     pub glass_ratio: At<f64>,
     /// Exponent of the fractional derivative.
-    #[schemars(extend("minimum" = 0.05, "maximum" = 1, "examples" = [0.25]))]
+    #[schemars(transform = EXPONENT.of_number(), extend("examples" = [0.25]))]
     pub fractional_exponent: At<f64>,
     /// Relaxation time at the reference temperature.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [4e-14]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [4e-14]))]
     pub relaxation_time_s: At<f64>,
     /// How it follows temperature.
     #[schemars(extend("examples" = [{"wlf": {"c1": 7.22, "c2_k": 124.6, "reference_c": 23}}]))]
     pub temperature: At<RawTemperatureLaw>,
     /// Temperature that it bears for long.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [120]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [120]))]
     pub limit_c: At<f64>,
     /// Cycles of strain that it bears.
     pub life: Option<At<RawLife>>,
     /// Price of a kilogram, in any currency.
-    #[schemars(extend("minimum" = 0, "examples" = [6]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [6]))]
     pub price_per_kg: At<f64>,
     /// Where its numbers hold.
     pub valid: At<RawValid>,
@@ -62,19 +63,19 @@ pub(crate) struct RawCompound {
     #[schemars(extend("minLength" = 1, "examples" = ["epdm_60"]))]
     pub name: At<String>,
     /// Hardness, Shore A.
-    #[schemars(extend("minimum" = 20, "maximum" = 95, "examples" = [60]))]
+    #[schemars(transform = SHORE_A.of_number(), extend("examples" = [60]))]
     pub hardness_shore_a: At<f64>,
     /// Shear modulus at low frequency, at the reference of strain.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.8]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.8]))]
     pub relaxed_modulus_mpa: At<f64>,
     /// How it follows its strain.
     #[schemars(extend("examples" = [{"kraus": {"storage_ratio": 1.8, "loss_ratio": 2, "critical_strain": 0.02, "exponent": 0.55, "reference_strain": 0.05}}]))]
     pub strain: Option<At<RawAmplitude>>,
     /// Density.
-    #[schemars(extend("minimum" = 500, "maximum" = 3000, "examples" = [1150]))]
+    #[schemars(transform = DENSITY.of_number(), extend("examples" = [1150]))]
     pub density_kg_m3: At<f64>,
     /// Thermal conductivity.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.25]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.25]))]
     pub conductivity_w_per_m_k: At<f64>,
 }
 
@@ -86,22 +87,22 @@ pub(crate) struct RawOil {
     #[schemars(extend("minLength" = 1, "examples" = ["silicone oil"]))]
     pub about: At<String>,
     /// Width of the transition from Newtonian to shear-thinning.
-    #[schemars(extend("minimum" = 0.05, "maximum" = 1, "examples" = [0.8]))]
+    #[schemars(transform = EXPONENT.of_number(), extend("examples" = [0.8]))]
     pub transition_exponent: At<f64>,
     /// Flow index of the shear-thinning branch.
-    #[schemars(extend("minimum" = 0, "maximum" = 0.95, "examples" = [0.3]))]
+    #[schemars(transform = FLOW_INDEX.of_number(), extend("examples" = [0.3]))]
     pub flow_index: At<f64>,
     /// How it follows temperature.
     #[schemars(extend("examples" = [{"silicone_oil": {"reference_c": 25}}]))]
     pub temperature: At<RawTemperatureLaw>,
     /// Density.
-    #[schemars(extend("minimum" = 500, "maximum" = 3000, "examples" = [970]))]
+    #[schemars(transform = DENSITY.of_number(), extend("examples" = [970]))]
     pub density_kg_m3: At<f64>,
     /// Thermal conductivity.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.16]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.16]))]
     pub conductivity_w_per_m_k: At<f64>,
     /// Temperature that it bears for long.
-    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [150]))]
+    #[schemars(transform = TEMPERATURE.of_number(), extend("examples" = [150]))]
     pub limit_c: At<f64>,
     /// By the key of each number its role (published, fitted, assumed) and source.
     #[schemars(extend("additionalProperties" = { "type": "string", "description": "Role and source of the number of this key.", "examples": ["assumed: engineering estimate"] },
@@ -119,13 +120,13 @@ pub(crate) struct RawGrade {
     #[schemars(extend("minLength" = 1, "examples" = ["silicone_100000"]))]
     pub name: At<String>,
     /// Kinematic viscosity at the reference temperature and low frequency.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100000]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [100000]))]
     pub viscosity_mm2_per_s: At<f64>,
     /// Relaxation time there.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.003]))]
+    #[schemars(transform = POSITIVE.of_number(), extend("examples" = [0.003]))]
     pub relaxation_time_s: At<f64>,
     /// Price of a kilogram, in any currency.
-    #[schemars(extend("minimum" = 0, "examples" = [16]))]
+    #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [16]))]
     pub price_per_kg: At<f64>,
     /// Where its numbers hold.
     pub valid: At<RawValid>,
@@ -136,12 +137,12 @@ pub(crate) struct RawGrade {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawValid {
     /// Frequencies.
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[1, 1000]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("minItems" = 2, "maxItems" = 2, "examples" = [[1, 1000]]))]
     pub frequency_hz: At<Vec<At<f64>>>,
     /// Temperatures.
-    #[schemars(extend("items" = { "type": "number", "minimum": -100, "maximum": 400 }, "minItems" = 2, "maxItems" = 2, "examples" = [[-30, 140]]))]
+    #[schemars(transform = TEMPERATURE.of_list(), extend("minItems" = 2, "maxItems" = 2, "examples" = [[-30, 140]]))]
     pub temperature_c: At<Vec<At<f64>>>,
     /// Amplitudes of shear strain, zero to peak: 0.05 for 5 %.
-    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.005, 0.15]]))]
+    #[schemars(transform = NOT_NEGATIVE.of_list(), extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.005, 0.15]]))]
     pub strain: At<Vec<At<f64>>>,
 }

@@ -8,6 +8,7 @@ use crate::input::error::InputError;
 use crate::input::published::{
     PublishedAbsorber, PublishedAmplitude, PublishedFactor, PublishedFatigue, PublishedFrequency, PublishedQuantity, PublishedStress,
 };
+use crate::input::schema::bounds::NOMINAL_FACTOR;
 use crate::units::{PA_PER_MPA, RAD_PER_DEG};
 use std::path::Path;
 
@@ -57,8 +58,8 @@ impl<'a> Rows<'a> {
 
     fn factor(&self, line: u64, column: usize, cell: &str) -> Result<f64, InputError> {
         let x = self.table.filled(line, column, cell)?;
-        let sound = (1.0..=20.0).contains(&x);
-        if sound { Ok(x) } else { Err(self.table.at(line, column, format!("found {x}, expected a factor of nominal stress from 1 to 20"))) }
+        let sound = NOMINAL_FACTOR.contains(x);
+        if sound { Ok(x) } else { Err(self.table.at(line, column, format!("found {x}, expected {}", NOMINAL_FACTOR.expected()))) }
     }
 
     fn not_negative(&self, line: u64, column: usize, cell: &str) -> Result<Option<f64>, InputError> {

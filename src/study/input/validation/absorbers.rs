@@ -6,11 +6,12 @@ use super::substances::Substances;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::construction::shape;
 use crate::absorber::measured::Measured;
-use crate::absorber::{Absorber, Branch, Declaration, Host, Law, Mounted, Parameter, Prony, Range, WithMaterial, types};
+use crate::absorber::{Absorber, Branch, Declaration, Host, Law, Mounted, Parameter, Prony, WithMaterial, types};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::letters::fault;
 use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawMeasured, RawOn, RawProny, RawSeeded, RawType};
+use crate::input::schema::bounds::Bounds;
 use crate::input::schema::material_states::RawMaterialStates;
 use crate::input::schema::study::{RawDesign, RawStudy};
 use crate::input::tables::measured_law;
@@ -146,18 +147,7 @@ pub fn root(hosts: &[Option<Host>], index: usize) -> Option<usize> {
 
 /// A value of a parameter.
 pub fn value(check: &mut Check, parameter: &Parameter, raw: &At<f64>) -> f64 {
-    match parameter.range {
-        Range::Positive => check.positive(raw),
-        Range::NotNegative => check.not_negative(raw),
-        Range::Above(least) => {
-            let x = check.positive(raw);
-            if x <= least {
-                check.wrong(raw, format!("found {x}, expected more than {least}"));
-            }
-            x
-        }
-        Range::Within(low, high) => check.within(raw, low..=high, &format!("a value from {low} to {high}")),
-    }
+    check.within(raw, &Bounds::of_parameter(parameter.range))
 }
 
 /// An absorber in its place, with the station below it.

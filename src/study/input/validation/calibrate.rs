@@ -144,9 +144,9 @@ fn free_inputs(check: &mut Check, raw: &RawCalibrate, engine: &Engine, (chain, m
             check.wrong(bounds, format!("found {} values, expected two: a lower and an upper bound", bounds.get_ref().len()));
             continue;
         };
-        let (least, most) = input.range();
-        let expected = format!("a bound of `{}` from {least} to {most}", input.key());
-        let (lower, upper) = (check.within(low, least..=most, &expected), check.within(high, least..=most, &expected));
+        let allowed = input.bounds();
+        let what = format!("a bound of `{}`", input.key());
+        let [lower, upper] = [low, high].map(|bound| check.within_as(bound, &allowed, &what));
         if upper <= lower {
             check.wrong(bounds, format!("found bounds {lower} and {upper}, expected the lower one first and below the upper one"));
         }

@@ -8,6 +8,7 @@ use crate::absorber::{Absorber, Declaration, Geometry, Material, Mounted, TYPES,
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
 use crate::input::letters::fault;
+use crate::input::schema::bounds::{BEST, TOLERANCE};
 use crate::input::schema::catalogue::RawCatalogue;
 use crate::input::schema::study::RawStudy;
 use crate::input::tables::{CatalogueRow, MadeWith, catalogue};
@@ -44,10 +45,7 @@ pub(super) fn resolve(
     let mut names: HashSet<String> = given.iter().map(|d| d.name.clone()).collect();
     let mut list = Vec::new();
     for raw in &study.catalogue {
-        let best = usize::try_from(*raw.best.get_ref()).ok().filter(|n| (1..=100).contains(n)).unwrap_or_else(|| {
-            check.wrong(&raw.best, format!("found {}, expected how many of the best are wanted, from 1 to 100", raw.best.get_ref()));
-            1
-        });
+        let best = check.whole(&raw.best, &BEST) as usize;
         // the table of the run names it
         if let Some(fault) = fault(raw.file.get_ref()) {
             check.wrong(&raw.file, format!("found {fault}"));
@@ -117,7 +115,7 @@ fn shares<'r>(check: &mut Check, raw: &'r BTreeMap<String, At<f64>>) -> Vec<(&'s
             check.wrong(share, format!("found `{key}` to be free, expected the key of a parameter of a type"));
             continue;
         };
-        list.push((known, share, check.within(share, 1e-6..=0.9, "a share from 1e-6 to 0.9: 0.1 is 10 % more or less")));
+        list.push((known, share, check.within(share, &TOLERANCE)));
     }
     list
 }

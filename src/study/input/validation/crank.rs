@@ -5,12 +5,10 @@ use crate::crankshaft::{Crank, OilBore};
 use crate::drivetrain::throw_inertia::throw_unbalance;
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
+use crate::input::schema::bounds::{BEARING_STIFFNESS, SIGNED_ANGLE};
 use crate::input::schema::crank::{RawCrank, RawEach};
 use crate::units::{M_PER_MM, PA_PER_GPA, RAD_PER_DEG};
 
-/// Bearings that carry a crank, N/m.
-const SOFTEST: f64 = 1e5;
-const STIFFEST: f64 = 1e13;
 /// Spans add up to this, mm.
 const EXACT_MM: f64 = 0.01;
 
@@ -83,13 +81,10 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) ->
         journal_recess: optional(check, &raw.journal_recess_mm),
         oil_bore: raw.oil_bore.as_ref().map(|b| OilBore {
             diameter: check.positive(&b.diameter_mm) * M_PER_MM,
-            angle: b.angle_deg.as_ref().map_or(0.0, |a| check.within(a, -180.0..=180.0, "an angle from -180 to 180 degrees")) * RAD_PER_DEG,
+            angle: b.angle_deg.as_ref().map_or(0.0, |a| check.within(a, &SIGNED_ANGLE)) * RAD_PER_DEG,
         }),
         missing_bearings: Vec::new(),
-        bearing_stiffness: raw
-            .bearing_stiffness_n_per_m
-            .as_ref()
-            .map(|k| check.within(k, SOFTEST..=STIFFEST, "a stiffness from 1e5 to 1e13 N/m")),
+        bearing_stiffness: raw.bearing_stiffness_n_per_m.as_ref().map(|k| check.within(k, &BEARING_STIFFNESS)),
         young_modulus: raw.young_modulus_gpa.as_ref().map_or(YOUNG_MODULUS, |e| check.positive(e)) * PA_PER_GPA,
         unbalance: raw.unbalance_kg_m.as_ref().map_or(0.0, |u| check.not_negative(u))
             - raw.counterweight_kg_m.as_ref().map_or(0.0, |c| check.not_negative(c)),

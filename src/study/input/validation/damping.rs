@@ -2,6 +2,7 @@
 
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::Check;
+use crate::input::schema::bounds::{FRACTION_OF_CRITICAL, MAGNIFIER};
 use crate::input::schema::engine::RawDamping;
 
 /// Adds what the file says of the chain as a whole: dynamic magnifier M of every shaft, loss factor 1/M; Rayleigh damping C = alpha J + beta K; a fraction of
@@ -17,7 +18,7 @@ pub(super) fn apply(check: &mut Check, raw: &RawDamping, chain: &mut Chain) {
     }
     let last = chain.len() - 1;
     if let Some(magnifier) = &raw.dynamic_magnifier {
-        let m = check.within(magnifier, 1.0..=1e6, "a dynamic magnifier of at least 1");
+        let m = check.within(magnifier, &MAGNIFIER);
         chain.stations[..last].iter_mut().for_each(|s| s.loss_factor_to_next += 1.0 / m);
     }
     if let Some(rayleigh) = &raw.rayleigh {
@@ -30,11 +31,11 @@ pub(super) fn apply(check: &mut Check, raw: &RawDamping, chain: &mut Chain) {
     if let Some(fraction) = &raw.fraction_of_critical {
         let x = *fraction.get_ref();
         if (1.0..=100.0).contains(&x) {
-            let words = format!("found {x}, expected a fraction of critical damping from 0 to below 1");
+            let words = format!("found {x}, expected {}", FRACTION_OF_CRITICAL.expected());
             check.wrong_with_help(fraction, words, format!("a fraction, not per cent: {x} % is {}", x / 100.0));
             return;
         }
-        let zeta = check.within(fraction, 0.0..1.0, "a fraction of critical damping from 0 to below 1");
+        let zeta = check.within(fraction, &FRACTION_OF_CRITICAL);
         let modes = Modes::new(chain);
         let Some(first) = modes.elastic().next() else {
             check.wrong(fraction, "found a fraction of critical damping for a chain without an elastic mode, expected one");

@@ -5,6 +5,7 @@ use crate::drivetrain::throw_stiffness::{Step, shear_modulus, stepped_shaft, sti
 use crate::drivetrain::{Station, throw_inertia};
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
+use crate::input::schema::bounds::SECTOR;
 use crate::input::schema::crank::{RawCrank, RawMasses, RawRing};
 use crate::input::schema::engine::{RawEngine, RawStation};
 use crate::input::schema::step::RawStep;
@@ -27,7 +28,7 @@ pub(super) fn masses(check: &mut Check, raw: &RawMasses) -> throw_inertia::Masse
         if sector.inner_radius >= sector.outer_radius {
             check.wrong(&c.inner_radius_mm, "found an inner radius of at least the outer one, expected a smaller one");
         }
-        let angle = check.within(&c.angle_deg, f64::MIN_POSITIVE..=360.0, "an angle above 0, at most 360 degrees") * RAD_PER_DEG;
+        let angle = check.within(&c.angle_deg, &SECTOR) * RAD_PER_DEG;
         throw_inertia::Sector { angle, ..sector }
     });
     let rings = raw.rings.iter().map(|ring| (ring_step(check, ring), ring.cut)).collect();

@@ -4,6 +4,10 @@ use super::named::table;
 use crate::engine::pressure::{Otto, Wiebe};
 use crate::engine::{Engine, Geometry, HarmonicTable, Kinematics, Layout, Pressure, RodModel, SliderCrank, Source};
 use crate::input::error::{At, Check};
+use crate::input::schema::bounds::{
+    BANK_ANGLE, BURN_DURATION, BURN_START, COMPRESSION_RATIO, FRACTION, FRICTION, HEAT_CAPACITY_RATIO, PRESSURE_SCALE, SIGNED_ANGLE,
+    WIEBE_EXPONENT, from_below,
+};
 use crate::input::schema::engine::{
     RawCurve, RawEngine, RawGeometry, RawKinematics, RawLayout, RawOtto, RawPressure, RawTorqueOf, RawWiebe,
 };
@@ -87,7 +91,7 @@ fn geometry(check: &mut Check, raw: &RawGeometry) -> Geometry {
         rod_mass: check.not_negative(&raw.rod_mass_kg),
         rod: rod(check, raw, rod_length, kinematics),
         crankcase_pressure: raw.crankcase_pressure_bar.as_ref().map_or(1.0, |p| check.not_negative(p)) * PA_PER_BAR,
-        liner_friction: raw.liner_friction.as_ref().map_or(0.0, |f| check.within(f, 0.0..=0.5, "a friction coefficient from 0 to 0.5")),
+        liner_friction: raw.liner_friction.as_ref().map_or(0.0, |f| check.within(f, &FRICTION)),
     }
 }
 
@@ -123,12 +127,12 @@ fn fraction(check: &mut Check, raw: &At<f64>) -> f64 {
     if x > 1.0 && x <= 100.0 {
         check.wrong_with_help(
             raw,
-            format!("found {x}, expected a fraction from 0 to 1"),
+            format!("found {x}, expected {}", FRACTION.expected()),
             format!("a fraction, not per cent: {x} % is {}", x / 100.0),
         );
         return x;
     }
-    check.within(raw, 0.0..=1.0, "a fraction from 0 to 1")
+    check.within(raw, &FRACTION)
 }
 
 pub(super) fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<Layout> {
@@ -151,7 +155,7 @@ pub(super) fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<L
     let mut firing_deg = vec![f64::NAN; n];
     for (cylinder, angle) in order.get_ref().iter().zip(firing.get_ref()) {
         let c = *cylinder.get_ref();
-        let deg = check.within(angle, 0.0..cycle, &format!("an angle from 0 to below {cycle} degrees, the cycle"));
+        let deg = check.within(angle, &from_below("an angle", 0.0, cycle, " degrees, the cycle"));
         match usize::try_from(c).ok().filter(|c| (1..=n).contains(c)) {
             None => check.wrong(cylinder, format!("found cylinder {c}, expected a number from 1 to {n}")),
             Some(i) if !firing_deg[i - 1].is_nan() => {
@@ -168,12 +172,12 @@ pub(super) fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<L
             check.wrong(&firing.get_ref()[i + 1], format!("found {b} after {a}, expected firing angles in the order of firing"));
         }
     }
-    let bank_angle_deg = bank.map(|b| check.within(b, 0.0..=180.0, "an angle from 0 to 180 degrees"));
+    let bank_angle_deg = bank.map(|b| check.within(b, &BANK_ANGLE));
     if check.mistakes.len() > before {
         return None;
     }
     let split = if let RawLayout::V(v) = raw { v.split_pin_deg.as_ref() } else { None };
-    let split_pin_deg = split.map_or(0.0, |s| check.within(s, -180.0..=180.0, "an angle from -180 to 180 degrees"));
+    let split_pin_deg = split.map_or(0.0, |s| check.within(s, &SIGNED_ANGLE));
     let opposed = matches!(raw, RawLayout::Opposed(_)).then_some(OPPOSED);
     let layout = Layout { rods_per_throw, firing_deg, bank_angle_deg: bank_angle_deg.or(opposed), split_pin_deg };
     if let (Some(throw), Some(bank)) = (layout.misplaced_throw(), bank) {
@@ -209,12 +213,8 @@ fn aligned(check: &mut Check, values: &At<Vec<At<f64>>>, speeds: usize) -> Vec<f
     list.into_iter().chain(std::iter::repeat(0.0)).take(speeds).collect()
 }
 
-fn compression_ratio(check: &mut Check, raw: &At<f64>) -> f64 {
-    check.within(raw, 1.5..=50.0, "a compression ratio from 1.5 to 50")
-}
-
 fn heat_capacity_ratio(check: &mut Check, raw: Option<&At<f64>>, default: f64) -> f64 {
-    raw.map_or(default, |k| check.within(k, 1.05..=1.67, "a ratio of heat capacities from 1.05 to 1.67"))
+    raw.map_or(default, |k| check.within(k, &HEAT_CAPACITY_RATIO))
 }
 
 fn otto(check: &mut Check, raw: &RawOtto) -> Otto {
@@ -231,8 +231,8 @@ fn otto(check: &mut Check, raw: &RawOtto) -> Otto {
     Otto {
         speeds_rpm,
         brake_torque,
-        compression_ratio: compression_ratio(check, &raw.compression_ratio),
-        pressure_scale: check.within(&raw.pressure_scale, f64::MIN_POSITIVE..=5.0, "a factor above 0, at most 5"),
+        compression_ratio: check.within(&raw.compression_ratio, &COMPRESSION_RATIO),
+        pressure_scale: check.within(&raw.pressure_scale, &PRESSURE_SCALE),
         scale_over_speed,
         inlet_pressure: raw.inlet_pressure_bar.as_ref().map_or(1.0, |p| check.positive(p)) * PA_PER_BAR,
         heat_capacity_ratio: heat_capacity_ratio(check, raw.heat_capacity_ratio.as_ref(), 1.4),
@@ -242,8 +242,8 @@ fn otto(check: &mut Check, raw: &RawOtto) -> Otto {
 fn wiebe(check: &mut Check, raw: &RawWiebe) -> Wiebe {
     let speeds_rpm = check.ascending(&raw.speed_rpm);
     let mean = aligned(check, &raw.indicated_mean_pressure_bar, speeds_rpm.len());
-    let burn_start_deg = check.within(&raw.burn_start_deg, -90.0..=90.0, "an angle from -90 to 90 degrees round firing dead centre");
-    let burn_duration_deg = check.within(&raw.burn_duration_deg, 1.0..=170.0, "a duration from 1 to 170 degrees");
+    let burn_start_deg = check.within(&raw.burn_start_deg, &BURN_START);
+    let burn_duration_deg = check.within(&raw.burn_duration_deg, &BURN_DURATION);
     if burn_start_deg + burn_duration_deg > 180.0 {
         check.wrong(
             &raw.burn_duration_deg,
@@ -254,10 +254,10 @@ fn wiebe(check: &mut Check, raw: &RawWiebe) -> Wiebe {
         speeds_rpm,
         indicated_mean_pressure: mean.iter().map(|p| p * PA_PER_BAR).collect(),
         boost_pressure: check.positive(&raw.boost_bar) * PA_PER_BAR,
-        compression_ratio: compression_ratio(check, &raw.compression_ratio),
+        compression_ratio: check.within(&raw.compression_ratio, &COMPRESSION_RATIO),
         burn_start_deg,
         burn_duration_deg,
-        shape: raw.wiebe_exponent.as_ref().map_or(2.0, |m| check.within(m, 0.1..=10.0, "an exponent from 0.1 to 10")),
+        shape: raw.wiebe_exponent.as_ref().map_or(2.0, |m| check.within(m, &WIEBE_EXPONENT)),
         heat_capacity_ratio: heat_capacity_ratio(check, raw.heat_capacity_ratio.as_ref(), 1.35),
     }
 }

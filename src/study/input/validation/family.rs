@@ -9,6 +9,7 @@ use crate::absorber::{Declaration, Geometry, Host, Parameter, Range, TYPES};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::{RawBox, RawEngineInertia, RawOptimised, RawSize};
+use crate::input::schema::bounds::RING_DENSITY;
 use crate::input::schema::material_states::RawMaterialStates;
 use crate::input::schema::range::RawRange;
 use crate::units::M_PER_MM;
@@ -157,7 +158,7 @@ fn size(check: &mut Check, raw: &RawOptimised, place: Option<(usize, bool)>, (ch
 fn in_box(check: &mut Check, at: &At<RawBox>) -> Size {
     let raw = at.get_ref();
     let [inner, outer, width] = [&raw.inner_diameter_mm, &raw.outer_diameter_mm, &raw.width_mm].map(|x| M_PER_MM * check.positive(x));
-    let density = check.within(&raw.density_kg_m3, 500.0..=25_000.0, "a density from 500 to 25000 kg/m³");
+    let density = check.within(&raw.density_kg_m3, &RING_DENSITY);
     if inner >= outer {
         check.wrong(at, "found a packaging box that holds no ring, expected an inner diameter below the outer one");
     }

@@ -4,10 +4,11 @@ use super::named::table;
 use crate::crankshaft::stress_concentration::Formulas;
 use crate::crankshaft::{Crank, FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Place, UnitLoads};
 use crate::fatigue::class_rules::{ADDITIONAL_BENDING, Manufacture, STRENGTHS};
-use crate::fatigue::endurance::{self, Endurance, HOTTEST, Loading, RELIABILITIES, Surface};
+use crate::fatigue::endurance::{self, Endurance, Loading, RELIABILITIES, Surface};
 use crate::fatigue::multiaxial::Limits;
 use crate::fatigue::{ClassRule, Strength};
 use crate::input::error::{At, Check, InputError};
+use crate::input::schema::bounds::{NOMINAL_FACTOR, TEMPERATURE_OF_STEEL};
 use crate::input::schema::fatigue::{
     RawEndurance, RawFactors, RawFatigue, RawFillet, RawLoad, RawManufacture, RawMaterial, RawMeanBending, RawPlace, RawSurface,
 };
@@ -18,8 +19,6 @@ use std::path::Path;
 
 /// Points on the webs of a crank, each with either shaft's torque, of all throws of a fillet: more take gigabytes.
 const MOST_LOCATIONS: usize = 1_000_000;
-/// Largest factor that is not a slip of the pen.
-const LARGEST_FACTOR: f64 = 20.0;
 
 /// The table, or nothing where a mistake leaves none. Paths are relative to `folder`.
 pub(crate) fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>, folder: &Path) -> Option<FatigueSpec> {
@@ -231,7 +230,7 @@ fn endurance(check: &mut Check, raw: &RawEndurance, crank: &Crank) -> Endurance 
         },
         diameter: crank.pin_diameter,
         surface: surface(raw.surface),
-        temperature_c: raw.temperature_c.as_ref().map_or(20.0, |t| check.within(t, -60.0..=HOTTEST, "a temperature from -60 to 550 °C")),
+        temperature_c: raw.temperature_c.as_ref().map_or(20.0, |t| check.within(t, &TEMPERATURE_OF_STEEL)),
         reliability_percent,
     }
 }
@@ -278,7 +277,7 @@ fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank, folder: &Path) -
         });
         let factors = match f.factors.get_ref() {
             RawFactors::Given(given) => {
-                let mut factor = |v: &At<f64>| check.within(v, 1.0..=LARGEST_FACTOR, "a factor of nominal stress from 1 to 20");
+                let mut factor = |v: &At<f64>| check.within(v, &NOMINAL_FACTOR);
                 FactorSource::Given { bending: factor(&given.bending), torsion: factor(&given.torsion) }
             }
             RawFactors::UnitLoads(file) => {

@@ -11,6 +11,7 @@ use crate::crankshaft::flexible::{
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::input::error::{At, Check};
+use crate::input::schema::bounds::{BEARING_STIFFNESS, DAMPING_TIME, LOOSE_RATIO, LOSS_FACTOR, OIL_PRESSURE, REACH, WEB_FACTOR};
 use crate::input::schema::engine::RawEngine;
 use crate::input::schema::flexible::{RawBearing, RawCarriedRing, RawEnd, RawFlexible, RawWebFactors};
 use crate::input::schema::study::RawStudy;
@@ -18,9 +19,6 @@ use crate::units::PA_PER_MPA;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Bearings, N/m.
-const SOFTEST: f64 = 1e5;
-const STIFFEST: f64 = 1e13;
 /// Step of the shafts at the ends, mm.
 const SHORTEST_STEP_MM: f64 = 1.0;
 /// A journal with three nodes is at least this share of its diameter long.
@@ -118,7 +116,7 @@ fn spec(check: &mut Check, (at, folder): (&At<RawFlexible>, &Path), crank: &Cran
     }
     let (bearing, joints) = bearings(check, (at, nodes), crank)?;
     let (thrust_at, thrust) = thrust(check, raw, crank)?;
-    let loss_factor = check.within(&raw.loss_factor, 0.0..=0.5, "a loss factor from 0 to 0.5");
+    let loss_factor = check.within(&raw.loss_factor, &LOSS_FACTOR);
     if loss_factor == 0.0 && bearing.damping == 0.0 {
         check.wrong(
             &raw.loss_factor,
@@ -183,17 +181,17 @@ fn bearings(check: &mut Check, (at, nodes): (&At<RawFlexible>, BearingNodes), cr
         }
         let own = law.get_ref();
         let spec = JointSpec {
-            pressure: PA_PER_MPA * check.within(&own.pressure_mpa, 1e-3..=1000.0, "a pressure from 0.001 to 1000 MPa"),
-            clearance_ratio: check.within(&own.clearance_ratio, 1e-6..=5e-3, "a reach from 1e-6 to 0.005 of the diameter"),
-            loose: [&own.loose_stiffness, &own.loose_damping].map(|x| check.within(x, 1e-6..=1.0, "a ratio from 1e-6 to 1")),
-            time: check.within(&own.damping_time_s, 1e-9..=0.1, "a time from 1e-9 to 0.1 s"),
+            pressure: PA_PER_MPA * check.within(&own.pressure_mpa, &OIL_PRESSURE),
+            clearance_ratio: check.within(&own.clearance_ratio, &REACH),
+            loose: [&own.loose_stiffness, &own.loose_damping].map(|x| check.within(x, &LOOSE_RATIO)),
+            time: check.within(&own.damping_time_s, &DAMPING_TIME),
         };
         let first = spec.joints(crank, nodes, (1.0, 1.0)).into_iter().next()?;
         let middle = |[loose, firm]: [f64; 2]| (loose * firm).sqrt() * nodes.count() as f64;
         return Some((Bearing { stiffness: middle(first.stiffness), damping: middle(first.damping) }, Some(spec)));
     }
     let stiffness = match (&raw.stiffness_n_per_m, crank.bearing_stiffness) {
-        (Some(k), _) => check.within(k, SOFTEST..=STIFFEST, "a stiffness from 1e5 to 1e13 N/m"),
+        (Some(k), _) => check.within(k, &BEARING_STIFFNESS),
         (None, Some(k)) => k,
         (None, None) => {
             check.wrong(
@@ -218,7 +216,7 @@ fn web_factors(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option
     };
     match raw {
         RawWebFactors::Given(f) => {
-            let mut factor = |value: &At<f64>| check.within(value, 1e-3..=1000.0, "a factor from 0.001 to 1000");
+            let mut factor = |value: &At<f64>| check.within(value, &WEB_FACTOR);
             Some((WebFactors { bending: factor(&f.bending), twist: factor(&f.twist), edge: factor(&f.edge) }, false))
         }
         RawWebFactors::Estimate => match WebFactors::estimate(crank) {
@@ -253,7 +251,7 @@ fn thrust(check: &mut Check, raw: &RawFlexible, crank: &Crank) -> Option<(usize,
     if at.is_none() {
         check.wrong(&thrust.bearing, format!("found {number}, expected a main bearing that is there, from 1 to {}", crank.throws() + 1));
     }
-    let stiffness = check.within(&thrust.stiffness_n_per_m, SOFTEST..=STIFFEST, "a stiffness from 1e5 to 1e13 N/m");
+    let stiffness = check.within(&thrust.stiffness_n_per_m, &BEARING_STIFFNESS);
     Some((at?, Bearing { stiffness, damping: check.not_negative(&thrust.damping_n_s_per_m) }))
 }
 

@@ -2,6 +2,10 @@
 
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Pressure, Source};
+use crate::input::schema::bounds::{
+    BURN_DURATION, BURN_START, Bounds, COMPRESSION_RATIO, FITTED_BOOST, FITTED_DAMPING, FITTED_LOSS_FACTOR, FITTED_PRESSURE_SCALE,
+    HEAT_CAPACITY_RATIO, WIEBE_EXPONENT,
+};
 use crate::units::PA_PER_BAR;
 
 /// An input of the model that can be fitted; values are in the unit of its key.
@@ -66,17 +70,17 @@ impl Input {
     }
 
     /// Values that make sense.
-    pub(super) fn range(self) -> (f64, f64) {
+    pub(super) fn bounds(self) -> Bounds {
         match self {
-            Self::PressureScale => (1e-6, 5.0),
-            Self::CompressionRatio => (1.5, 50.0),
-            Self::HeatCapacityRatio => (1.05, 1.67),
-            Self::Boost => (1e-6, 100.0),
-            Self::BurnStart => (-90.0, 90.0),
-            Self::BurnDuration => (1.0, 170.0),
-            Self::WiebeExponent => (0.1, 10.0),
-            Self::ThrowDamping | Self::ShaftDamping => (0.0, 1e9),
-            Self::ShaftLossFactor => (0.0, 1.0),
+            Self::PressureScale => FITTED_PRESSURE_SCALE,
+            Self::CompressionRatio => COMPRESSION_RATIO,
+            Self::HeatCapacityRatio => HEAT_CAPACITY_RATIO,
+            Self::Boost => FITTED_BOOST,
+            Self::BurnStart => BURN_START,
+            Self::BurnDuration => BURN_DURATION,
+            Self::WiebeExponent => WIEBE_EXPONENT,
+            Self::ThrowDamping | Self::ShaftDamping => FITTED_DAMPING,
+            Self::ShaftLossFactor => FITTED_LOSS_FACTOR,
         }
     }
 

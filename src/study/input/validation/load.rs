@@ -3,6 +3,7 @@
 use crate::engine::load::LARGEST_LOAD;
 use crate::engine::{Engine, Load, Source};
 use crate::input::error::{At, Check};
+use crate::input::schema::bounds::{LOAD, SHARE_OF_TIME, from_to};
 use crate::input::schema::study::{RawDuty, RawPartLoad, RawStudy};
 
 /// Shares of a duty add up to one this closely.
@@ -22,11 +23,11 @@ pub struct DutyPoint {
 fn share_of_full_load(check: &mut Check, raw: &At<f64>) -> f64 {
     let x = *raw.get_ref();
     if (2.0..=100.0 * LARGEST_LOAD).contains(&x) {
-        let words = format!("found {x}, expected a share of full load from 0 to {LARGEST_LOAD}");
+        let words = format!("found {x}, expected {}", LOAD.expected());
         check.wrong_with_help(raw, words, format!("a fraction, not per cent: {x} % is {}", x / 100.0));
         return 1.0;
     }
-    check.within(raw, 0.0..=LARGEST_LOAD, "a share of full load from 0 to 1.2")
+    check.within(raw, &LOAD)
 }
 
 /// Puts the engine at the load of the study.
@@ -98,8 +99,8 @@ fn point(check: &mut Check, raw: &RawDuty, engine: &Engine, speeds: &[f64]) -> D
         );
     }
     DutyPoint {
-        speed_rpm: check.within(&raw.speed_rpm, low..=high, &format!("a speed of the study, {low} to {high} rpm")),
+        speed_rpm: check.within(&raw.speed_rpm, &from_to("a speed of the study,", low, high, " rpm")),
         load_fraction,
-        share: check.within(&raw.share, 0.0..=1.0, "a share of the time from 0 to 1"),
+        share: check.within(&raw.share, &SHARE_OF_TIME),
     }
 }

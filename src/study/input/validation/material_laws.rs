@@ -3,14 +3,12 @@
 use crate::absorber::construction::shape;
 use crate::absorber::{Cooling, Declaration, Kraus, StrainLife, TemperatureLaw, ToAir};
 use crate::input::error::{At, Check};
+use crate::input::schema::bounds::{ACTIVATION, CYCLES, KRAUS_EXPONENT, KRAUS_RATIO, LIFE_EXPONENT, SHARE_PER_KELVIN, STRAIN, TEMPERATURE};
 use crate::input::schema::material_states::{RawCooling, RawKraus, RawLife, RawTemperatureLaw, RawToAir};
 use crate::units::{KELVIN_AT_0_C, M_PER_MM};
 
-/// Temperatures above absolute zero that anything is made for, °C.
-const SENSIBLE: std::ops::RangeInclusive<f64> = -100.0..=400.0;
-
 pub(super) fn celsius(check: &mut Check, raw: &At<f64>) -> f64 {
-    check.within(raw, SENSIBLE, "a temperature from -100 to 400 °C")
+    check.within(raw, &TEMPERATURE)
 }
 
 /// What cools an absorber whose material follows temperature by a law.
@@ -93,7 +91,7 @@ pub(super) fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw 
             TemperatureLaw::Wlf { c1: check.positive(&w.c1), c2: check.positive(&w.c2_k), reference: celsius(check, &w.reference_c) }
         }
         RawTemperatureLaw::Arrhenius(a) => TemperatureLaw::Arrhenius {
-            activation: 1e3 * check.within(&a.activation_kj_per_mol, 1.0..=500.0, "an activation energy from 1 to 500 kJ/mol"),
+            activation: 1e3 * check.within(&a.activation_kj_per_mol, &ACTIVATION),
             reference: celsius(check, &a.reference_c),
         },
         RawTemperatureLaw::Exponential(e) => {
@@ -105,7 +103,7 @@ pub(super) fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw 
                     (-KELVIN_AT_0_C, f64::INFINITY)
                 }
             };
-            let per_k = check.within(&e.per_k, 0.0..=0.5, "a share per kelvin from 0 to 0.5");
+            let per_k = check.within(&e.per_k, &SHARE_PER_KELVIN);
             TemperatureLaw::Exponential { per_k, reference: celsius(check, &e.reference_c), between }
         }
         RawTemperatureLaw::SiliconeOil(o) => TemperatureLaw::SiliconeOil { reference: celsius(check, &o.reference_c) },
@@ -114,21 +112,20 @@ pub(super) fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw 
 
 /// The law of Kraus.
 pub(super) fn kraus(check: &mut Check, raw: &RawKraus) -> Kraus {
-    let of_strain = "a shear strain from 1e-6 to 10, 0.05 for 5 %";
     Kraus {
-        storage_ratio: check.within(&raw.storage_ratio, 1.0..=100.0, "a ratio from 1 to 100"),
-        loss_ratio: check.within(&raw.loss_ratio, 1.0..=100.0, "a ratio from 1 to 100"),
-        strain: check.within(&raw.critical_strain, 1e-6..=10.0, of_strain),
-        exponent: check.within(&raw.exponent, 0.1..=2.0, "an exponent from 0.1 to 2"),
-        reference: check.within(&raw.reference_strain, 1e-6..=10.0, of_strain),
+        storage_ratio: check.within(&raw.storage_ratio, &KRAUS_RATIO),
+        loss_ratio: check.within(&raw.loss_ratio, &KRAUS_RATIO),
+        strain: check.within(&raw.critical_strain, &STRAIN),
+        exponent: check.within(&raw.exponent, &KRAUS_EXPONENT),
+        reference: check.within(&raw.reference_strain, &STRAIN),
     }
 }
 
 /// Cycles of strain that a material bears.
 pub(super) fn strain_life(check: &mut Check, raw: &RawLife) -> StrainLife {
     StrainLife {
-        strain: check.within(&raw.reference_strain, 1e-6..=10.0, "a shear strain from 1e-6 to 10, 0.05 for 5 %"),
-        cycles: check.within(&raw.reference_cycles, 1.0..=1e20, "a number of cycles from 1 to 1e20"),
-        exponent: check.within(&raw.exponent, 1.0..=30.0, "an exponent from 1 to 30"),
+        strain: check.within(&raw.reference_strain, &STRAIN),
+        cycles: check.within(&raw.reference_cycles, &CYCLES),
+        exponent: check.within(&raw.exponent, &LIFE_EXPONENT),
     }
 }

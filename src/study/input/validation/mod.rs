@@ -59,6 +59,7 @@ pub use robust::{AllocateSpec, RobustSpec, Sampling, scatter_key};
 use super::error::{At, Check, InputError, Source};
 use super::measure::MeasureSpec;
 use super::published::Published;
+use super::schema::bounds::{ORDER_LIMIT, RELATIVE_ERROR};
 use super::schema::engine::RawEngine;
 use super::schema::fatigue::RawCrankPressure;
 use super::schema::study::RawStudy;
@@ -128,9 +129,9 @@ fn base(files: &Files, check: &mut Check, in_engine: &mut Check) -> Option<Base>
     let chain = chain::resolve(in_engine, files.engine, engine.as_ref(), crank.as_ref());
     let study = files.study;
     let speeds_rpm = ranges::speeds(check, study);
-    let order_limit = study.order_limit.as_ref().map_or(12.0, |o| check.within(o, 0.5..=200.0, "an order from 0.5 to 200"));
+    let order_limit = study.order_limit.as_ref().map_or(12.0, |o| check.within(o, &ORDER_LIMIT));
     // a mistake must not make what follows build a list of all orders up to it
-    let order_limit = if order_limit <= 200.0 { order_limit } else { 200.0 };
+    let order_limit = if order_limit <= ORDER_LIMIT.high { order_limit } else { ORDER_LIMIT.high };
     if speeds_rpm.len() as f64 * order_limit * 2.0 > MOST_POINTS {
         let found = speeds_rpm.len();
         check.wrong(
@@ -222,7 +223,7 @@ fn loads_crank_by_brake_curve(study: &RawStudy) -> bool {
 
 /// Largest relative error of a peak in a search.
 fn tolerance(check: &mut Check, study: &RawStudy) -> f64 {
-    let allowed = |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)");
+    let allowed = |t| check.within(t, &RELATIVE_ERROR);
     study.response.tolerance.as_ref().map_or(DEFAULT_TOLERANCE, allowed)
 }
 

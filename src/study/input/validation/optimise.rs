@@ -9,8 +9,9 @@ use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
 use crate::input::measure::MeasureSpec;
 use crate::input::schema::absorber::RawOptimised;
+use crate::input::schema::bounds::{self, BOXES, COMBUSTION, GAP, POINTS_OF_FRONT, SEED};
 use crate::input::schema::measure::RawMeasure;
-use crate::input::schema::prove::{BOXES, EFFORT, GAPS, RawProveOptima};
+use crate::input::schema::prove::{EFFORT, RawProveOptima};
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
@@ -121,8 +122,7 @@ pub(super) fn scatter(check: &mut Check, study: &RawStudy, engine: &Engine, cond
     if found != cylinders {
         check.wrong(list, format!("found {found} values, expected one for each of the {cylinders} cylinders"));
     }
-    let expected = "a share from -1 (a misfire) to 1: 0.05 burns 5 % more than the others";
-    Some(list.get_ref().iter().map(|share| check.within(share, -1.0..=1.0, expected)).collect())
+    Some(list.get_ref().iter().map(|share| check.within(share, &COMBUSTION)).collect())
 }
 
 pub(crate) fn resolve(
@@ -134,17 +134,8 @@ pub(crate) fn resolve(
 ) -> Option<OptimiseSpec> {
     let raw = study.optimise.as_ref()?;
     under_limits(check, raw, &study.constraint);
-    let whole = |value: Option<&At<i64>>, default: i64, most: i64, check: &mut Check| {
-        let x = value.map_or(default, |v| *v.get_ref());
-        if let Some(v) = value
-            && !(0..=most).contains(&x)
-        {
-            check.wrong(v, format!("found {x}, expected a whole number from 0 to {most}"));
-        }
-        x.unsigned_abs()
-    };
-    let seed = whole(raw.seed.as_ref(), 1, i64::MAX, check);
-    let random_starts = whole(raw.random_starts.as_ref(), RANDOM_STARTS as i64, 1000, check) as usize;
+    let seed = raw.seed.as_ref().map_or(1, |s| check.whole(s, &SEED));
+    let random_starts = raw.random_starts.as_ref().map_or(RANDOM_STARTS, |n| check.whole(n, &bounds::RANDOM_STARTS) as usize);
     let list = raw.absorber.get_ref();
     if list.is_empty() {
         check.wrong(&raw.absorber, "found no [[optimise.absorber]], expected at least one");
@@ -185,22 +176,10 @@ fn prove(check: &mut Check, raw: Option<&At<RawProveOptima>>) -> ProveSpec {
 }
 
 pub(super) fn effort(check: &mut Check, (gap, boxes): (Option<&At<f64>>, Option<&At<i64>>)) -> Effort {
-    let gap = gap.map_or(EFFORT.gap, |gap| {
-        let x = *gap.get_ref();
-        if !GAPS.contains(&x) {
-            let (least, most) = (GAPS.start(), GAPS.end());
-            check.wrong(gap, format!("found {x}, expected a gap from {least:e} to {most}, as a share of the value"));
-        }
-        x
-    });
-    let boxes = boxes.map_or(EFFORT.boxes as i64, |boxes| {
-        let x = *boxes.get_ref();
-        if !BOXES.contains(&x) {
-            check.wrong(boxes, format!("found {x}, expected a whole number from {} to {}", BOXES.start(), BOXES.end()));
-        }
-        x
-    });
-    Effort { gap, boxes: boxes.unsigned_abs() }
+    Effort {
+        gap: gap.map_or(EFFORT.gap, |gap| check.within(gap, &GAP)),
+        boxes: boxes.map_or(EFFORT.boxes, |boxes| check.whole(boxes, &BOXES)),
+    }
 }
 
 /// Most compounds and oils, with the steps of dimensions, of one type.
@@ -248,11 +227,7 @@ pub(super) fn front(
     if study.optimise.is_none() {
         check.wrong(raw, "found [pareto] without [optimise], expected what is to be optimised");
     }
-    let points = *raw.get_ref().points.get_ref();
-    if !(2..=10_000).contains(&points) {
-        check.wrong(&raw.get_ref().points, format!("found {points}, expected a number of points from 2 to 10000"));
-        return None;
-    }
+    let points = check.whole(&raw.get_ref().points, &POINTS_OF_FRONT);
     let against = match (&raw.get_ref().against, &raw.get_ref().of) {
         (Some(against), None) => against,
         (None, Some(words)) => return Some(FrontSpec::Of { points: points as usize, measures: by_word(check, words)? }),

@@ -6,6 +6,7 @@ use crate::absorber::construction::shape;
 use crate::absorber::{Declaration, Sheared};
 use crate::input::error::{At, Check};
 use crate::input::measure::LimitSpec;
+use crate::input::schema::bounds::{PERCENTILE, SAMPLES, SCATTER_OF_HARDNESS, SCATTER_OF_VISCOSITY, TOLERANCE, YIELD_PERCENT};
 use crate::input::schema::robust::{HARDNESS, RawAllocate, RawDistribution, RawRobust, VISCOSITY, process_keys};
 use crate::optimise::{Effort, Scatter, Tolerances};
 
@@ -55,7 +56,6 @@ pub struct Sampling {
 
 /// Most parameters of one design with a tolerance: the box of deviations has two to that many corners.
 const MOST_TOLERANCES: usize = 6;
-const MOST_SAMPLES: i64 = 1_000_000;
 /// Random designs on the shorter side of a percentile: the interval by ranks then lies among them.
 const BEYOND: f64 = 10.0;
 
@@ -78,7 +78,7 @@ pub(super) fn resolve(
             check.wrong(share, format!("found a tolerance of `{key}`, which no absorber here has, expected {expected}"));
             continue;
         };
-        shares.push((known, check.within(share, 1e-6..=0.9, "a share from 1e-6 to 0.9: 0.1 is 10 % more or less")));
+        shares.push((known, check.within(share, &TOLERANCE)));
     }
     for empty in [&raw.tolerance, &raw.process].into_iter().flatten().filter(|t| t.get_ref().is_empty()) {
         check.wrong(empty, "found no tolerance, expected at least one parameter with its share");
@@ -107,23 +107,16 @@ pub(super) fn resolve(
         );
     }
     let sampling = raw.sampling.as_ref().map(|s| {
-        let samples = *s.samples.get_ref();
-        if !(100..=MOST_SAMPLES).contains(&samples) {
-            check.wrong(&s.samples, format!("found {samples}, expected a whole number of designs from 100 to {MOST_SAMPLES}"));
-        }
-        let percentile = check.within(&s.percentile, 1.0..=99.9, "per cent of the designs from 1 to 99.9");
+        let samples = check.whole(&s.samples, &SAMPLES);
+        let percentile = check.within(&s.percentile, &PERCENTILE);
         let needed = (BEYOND / (0.01 * percentile.min(100.0 - percentile))).ceil() as i64;
-        if (100..needed).contains(&samples) {
+        if (SAMPLES.low..needed).contains(s.samples.get_ref()) {
             check.wrong(
                 &s.samples,
                 format!("found {samples} designs for {percentile} per cent, expected at least {needed}: ten beyond the percentile, for a confidence interval with both ends"),
             );
         }
-        Sampling {
-            percentile,
-            samples: samples.clamp(1, MOST_SAMPLES) as usize,
-            normal: matches!(s.distribution, RawDistribution::Normal),
-        }
+        Sampling { percentile, samples: samples as usize, normal: matches!(s.distribution, RawDistribution::Normal) }
     });
     let prove = raw.prove.as_ref().map(|prove| effort(check, (prove.get_ref().gap.as_ref(), prove.get_ref().boxes.as_ref())));
     let spec = RobustSpec { shares, process, search: raw.search.unwrap_or(true), sampling, prove, allocate: None };
@@ -151,7 +144,7 @@ fn allocate(check: &mut Check, raw: &At<RawAllocate>, (spec, limits): (&RobustSp
     let keys: Vec<&str> = spec.scatter().iter().map(scatter_key).collect();
     let raw = raw.get_ref();
     let holding = raw.yield_percent.as_ref().and_then(|percent| {
-        let share = 0.01 * check.within(percent, 50.0..=99.9, "per cent of the designs from 50 to 99.9");
+        let share = 0.01 * check.within(percent, &YIELD_PERCENT);
         let Some(sampling) = spec.sampling else {
             check.wrong(percent, "found `yield_percent` without `sampling`, expected the random designs that it is a share of");
             return None;
@@ -204,8 +197,8 @@ fn process(check: &mut Check, raw: &RawRobust, types: &[&'static Declaration]) -
             continue;
         };
         list.push(match known {
-            HARDNESS => Scatter::Hardness(check.within(amount, 0.1..=20.0, "a hardness from 0.1 to 20 Shore A")),
-            VISCOSITY => Scatter::Viscosity(0.01 * check.within(amount, 0.1..=90.0, "a share from 0.1 to 90 %")),
+            HARDNESS => Scatter::Hardness(check.within(amount, &SCATTER_OF_HARDNESS)),
+            VISCOSITY => Scatter::Viscosity(0.01 * check.within(amount, &SCATTER_OF_VISCOSITY)),
             key => Scatter::Amount(key, check.positive(amount)),
         });
     }

@@ -8,16 +8,19 @@ use crate::absorber::construction::shape;
 use crate::absorber::{Declaration, TYPES, types};
 use crate::drivetrain::throw_stiffness::ThrowFormula;
 use crate::engine::{Layout, Pressure};
-use crate::fatigue::endurance::HOTTEST;
 use crate::input::error::{At, Check, InputError, Source};
 use crate::input::published::{PublishedExample, PublishedRounds};
+use crate::input::schema::bounds::{
+    BORE_TO_STROKE, CRANK_TO_ROD, EYE_RATIO, FRACTION_OF_EACH_MODE, FRICTION, INERTIA, LENGTH_MM, POINTS_OF_SIZING, SAFETY_FACTOR,
+    TEMPERATURE_OF_STEEL,
+};
 use crate::input::schema::engine::RawPressure;
 use crate::input::schema::sizing::{
     RawBasis, RawBending, RawGiven, RawMechanism, RawPart, RawSizedChain, RawSizing, RawSizingFront, RawTorsion,
 };
 use crate::input::tables;
 use crate::numerics::elementary::Elementary;
-use crate::sizing::{Bearings, Bending, Given, Material, Specification, eye};
+use crate::sizing::{Bearings, Bending, Given, Material, Specification};
 use crate::units::{M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
@@ -84,8 +87,6 @@ const USUAL_CRANK_TO_ROD: (f64, f64) = (1.0 / 5.0, 1.0 / 3.0);
 const USUAL_BORE_TO_STROKE: (f64, f64) = (0.75, 1.5);
 /// Most speeds: each may be a load case of every round.
 const MOST_SPEEDS: usize = 500;
-/// Most points of a front: each is a crank of its own.
-const MOST_FRONT: i64 = 100;
 /// Most cylinders.
 const MOST_CYLINDERS: usize = 64;
 
@@ -183,23 +184,19 @@ fn front(check: &mut Check, at: &At<RawSizingFront>, raw: &RawSizing) -> Vec<f64
     if b <= a {
         check.wrong(&front.ring_inertia_kg_m2, format!("found {a} and {b}, expected the smaller inertia first"));
     }
-    let points = *front.points.get_ref();
-    if !(2..=MOST_FRONT).contains(&points) {
-        check.wrong(&front.points, format!("found {points} points, expected from 2 to {MOST_FRONT}"));
-        return Vec::new();
-    }
+    let points = check.whole(&front.points, &POINTS_OF_SIZING);
     let step = (b / a).power(1.0 / (points - 1) as f64);
     (0..points).map(|i| a * step.powi(i as i32)).collect()
 }
 
 /// A length of an engine, m.
 fn length(check: &mut Check, raw: &At<f64>) -> f64 {
-    check.within(raw, 1e-2..=1e5, "a length from 0.01 mm to 100 m") * M_PER_MM
+    check.within(raw, &LENGTH_MM) * M_PER_MM
 }
 
 /// An inertia of an engine, kg m².
 fn inertia(check: &mut Check, raw: &At<f64>) -> f64 {
-    check.within(raw, 1e-9..=1e9, "an inertia from 1e-9 to 1e9 kg m²")
+    check.within(raw, &INERTIA)
 }
 
 fn chain(check: &mut Check, raw: &RawSizedChain) -> SizedChain {
@@ -208,11 +205,7 @@ fn chain(check: &mut Check, raw: &RawSizedChain) -> SizedChain {
         pulley_distance: length(check, &raw.pulley_distance_mm),
         flywheel_inertia: inertia(check, &raw.flywheel_inertia_kg_m2),
         formula: raw.stiffness_formula.get_ref().0,
-        fraction_of_critical: check.within(
-            &raw.fraction_of_critical,
-            f64::MIN_POSITIVE..0.5,
-            "a fraction of critical damping above 0, below 0.5",
-        ),
+        fraction_of_critical: check.within(&raw.fraction_of_critical, &FRACTION_OF_EACH_MODE),
     }
 }
 
@@ -232,7 +225,7 @@ fn material(check: &mut Check, raw: &RawPart, reliability_percent: f64) -> Mater
         yield_strength: yields * PA_PER_MPA,
         shear_yield: shear * PA_PER_MPA,
         surface: surface(raw.surface),
-        temperature_c: check.within(&raw.temperature_c, -60.0..=HOTTEST, "a temperature from -60 to 550 °C"),
+        temperature_c: check.within(&raw.temperature_c, &TEMPERATURE_OF_STEEL),
         reliability_percent,
     }
 }
@@ -263,12 +256,8 @@ fn specification(
     let m = &raw.mechanism;
     let firing_deg = layout.map_or_else(|| vec![0.0], |l| l.firing_deg.clone());
     let high = speeds[speeds.len() - 1];
-    let bore_to_stroke = check.within(&m.bore_to_stroke, 0.1..=10.0, "a ratio of bore to stroke from 0.1 to 10");
-    let crank_to_rod = check.within(
-        &m.crank_to_rod,
-        0.01..0.95,
-        "a ratio of crank radius to rod length from 0.01 to below 0.95: the rod is longer than the crank",
-    );
+    let bore_to_stroke = check.within(&m.bore_to_stroke, &BORE_TO_STROKE);
+    let crank_to_rod = check.within(&m.crank_to_rod, &CRANK_TO_ROD);
     let stroke = stroke(check, m, (strokes, firing_deg.len(), high), bore_to_stroke);
     let mut warn = |x: f64, (a, b): (f64, f64), what: &str, why: &str| {
         if !(a..=b).contains(&x) {
@@ -302,8 +291,7 @@ fn specification(
         flywheel_weight: check.not_negative(&b.flywheel_weight_n),
         belt_tension: check.not_negative(&b.belt_tension_n),
     };
-    let factor = |check: &mut Check, value: &At<f64>| check.within(value, 1.0..=100.0, "a factor from 1 to 100");
-    let ratios = eye::RATIOS.0..=eye::RATIOS.1;
+    let factor = |check: &mut Check, value: &At<f64>| check.within(value, &SAFETY_FACTOR);
     Some(Specification {
         strokes,
         speeds_rpm: load_speeds(speeds, pressure.as_ref()),
@@ -313,7 +301,7 @@ fn specification(
         stroke,
         rod_length: 0.5 * stroke / crank_to_rod,
         piston_mass: check.not_negative(&m.piston_mass_kg),
-        liner_friction: check.within(&m.liner_friction, 0.0..=0.5, "a friction coefficient from 0 to 0.5"),
+        liner_friction: check.within(&m.liner_friction, &FRICTION),
         crankcase_pressure: check.not_negative(&m.crankcase_pressure_bar) * PA_PER_BAR,
         pressure: pressure?,
         firing_deg,
@@ -322,7 +310,7 @@ fn specification(
         crank,
         fillet_radius: length(check, &m.fillet_radius_mm),
         clearance: check.not_negative(&m.eye_clearance_mm) * M_PER_MM,
-        least_eye_ratio: check.within(&m.least_eye_ratio, ratios.clone(), "a ratio of outer to inner diameter from 1.02 to 4"),
+        least_eye_ratio: check.within(&m.least_eye_ratio, &EYE_RATIO),
         density: check.positive(&m.density_kg_m3),
         bearings,
         bending: match raw.bending {
@@ -359,9 +347,7 @@ fn given(check: &mut Check, raw: &RawGiven) -> Given {
         seat_diameter: mm(&raw.seat_diameter_mm),
         ..Given::default()
     };
-    let mut ratio = |value: &Option<At<f64>>| {
-        value.as_ref().map(|v| check.within(v, eye::RATIOS.0..=eye::RATIOS.1, "a ratio of outer to inner diameter from 1.02 to 4"))
-    };
+    let mut ratio = |value: &Option<At<f64>>| value.as_ref().map(|v| check.within(v, &EYE_RATIO));
     (given.small_eye_ratio, given.big_eye_ratio) = (ratio(&raw.small_eye_ratio), ratio(&raw.big_eye_ratio));
     given
 }

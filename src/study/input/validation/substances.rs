@@ -1,10 +1,11 @@
 //! Compounds and oils by their names: those that hartog carries, and those of a study's own files.
 
-use super::material_laws::{Temperatures, kraus, law, strain_life};
+use super::material_laws::{Temperatures, celsius, kraus, law, strain_life};
 use super::named::file;
 use crate::absorber::construction::shape;
 use crate::absorber::{Declaration, SHAPES, Sheared, Substance, Valid};
 use crate::input::error::{At, Check, InputError, Source};
+use crate::input::schema::bounds::{Bounds, DENSITY, EXPONENT, FLOW_INDEX, GLASS_RATIO, NOT_NEGATIVE, SHORE_A, TEMPERATURE};
 use crate::input::schema::material_states::{RawAmplitude, RawMaterialStates};
 use crate::input::schema::substance::{RawOil, RawRubber, RawSubstances, RawValid};
 use std::collections::BTreeMap;
@@ -95,11 +96,11 @@ fn of_file(source: &Source) -> Result<Vec<Arc<Substance>>, InputError> {
 }
 
 fn of_rubber<'r>(check: &mut Check, raw: &'r RawRubber) -> Vec<(Substance, &'r At<String>)> {
-    let glass_ratio = check.within(&raw.glass_ratio, 1.01.., "more than 1");
-    let exponent = check.within(&raw.fractional_exponent, 0.05..=1.0, "a value from 0.05 to 1");
+    let glass_ratio = check.within(&raw.glass_ratio, &GLASS_RATIO);
+    let exponent = check.within(&raw.fractional_exponent, &EXPONENT);
     let relaxation_time = check.positive(&raw.relaxation_time_s);
     let temperature = law(check, raw.temperature.get_ref());
-    let limit = check.within(&raw.limit_c, -100.0..=400.0, "a temperature from -100 to 400 °C");
+    let limit = celsius(check, &raw.limit_c);
     let life = raw.life.as_ref().map(|l| strain_life(check, l.get_ref()));
     let price = check.not_negative(&raw.price_per_kg);
     let valid = valid(check, raw.valid.get_ref());
@@ -120,7 +121,7 @@ fn of_rubber<'r>(check: &mut Check, raw: &'r RawRubber) -> Vec<(Substance, &'r A
             name: grade.name.get_ref().clone(),
             about: raw.about.get_ref().clone(),
             sheared: Sheared::Rubber,
-            grade: check.within(&grade.hardness_shore_a, 20.0..=95.0, "a hardness from 20 to 95 Shore A"),
+            grade: check.within(&grade.hardness_shore_a, &SHORE_A),
             values: vec![
                 ("relaxed_modulus_mpa", modulus),
                 ("glass_ratio", glass_ratio),
@@ -133,7 +134,7 @@ fn of_rubber<'r>(check: &mut Check, raw: &'r RawRubber) -> Vec<(Substance, &'r A
                 kraus(check, raw)
             }),
             life,
-            density: check.within(&grade.density_kg_m3, 500.0..=3000.0, "a density from 500 to 3000 kg/m³"),
+            density: check.within(&grade.density_kg_m3, &DENSITY),
             conductivity: check.positive(&grade.conductivity_w_per_m_k),
             limit,
             price,
@@ -146,12 +147,12 @@ fn of_rubber<'r>(check: &mut Check, raw: &'r RawRubber) -> Vec<(Substance, &'r A
 }
 
 fn of_oil<'r>(check: &mut Check, raw: &'r RawOil) -> Vec<(Substance, &'r At<String>)> {
-    let transition = check.within(&raw.transition_exponent, 0.05..=1.0, "a value from 0.05 to 1");
-    let flow_index = check.within(&raw.flow_index, 0.0..=0.95, "a value from 0 to 0.95");
+    let transition = check.within(&raw.transition_exponent, &EXPONENT);
+    let flow_index = check.within(&raw.flow_index, &FLOW_INDEX);
     let temperature = law(check, raw.temperature.get_ref());
-    let density = check.within(&raw.density_kg_m3, 500.0..=3000.0, "a density from 500 to 3000 kg/m³");
+    let density = check.within(&raw.density_kg_m3, &DENSITY);
     let conductivity = check.positive(&raw.conductivity_w_per_m_k);
-    let limit = check.within(&raw.limit_c, -100.0..=400.0, "a temperature from -100 to 400 °C");
+    let limit = celsius(check, &raw.limit_c);
     let keys = [
         "viscosity_mm2_per_s",
         "relaxation_time_s",
@@ -193,8 +194,8 @@ fn of_oil<'r>(check: &mut Check, raw: &'r RawOil) -> Vec<(Substance, &'r At<Stri
 
 /// Where numbers hold.
 fn valid(check: &mut Check, raw: &RawValid) -> Valid {
-    let mut pair = |list: &At<Vec<At<f64>>>, least: f64| {
-        let numbers: Vec<f64> = list.get_ref().iter().map(|x| check.within(x, least.., &format!("a number from {least}"))).collect();
+    let mut pair = |list: &At<Vec<At<f64>>>, bounds: &Bounds| {
+        let numbers: Vec<f64> = list.get_ref().iter().map(|x| check.within(x, bounds)).collect();
         match numbers[..] {
             [low, high] if low < high => (low, high),
             _ => {
@@ -203,7 +204,11 @@ fn valid(check: &mut Check, raw: &RawValid) -> Valid {
             }
         }
     };
-    Valid { frequency_hz: pair(&raw.frequency_hz, 0.0), celsius: pair(&raw.temperature_c, -100.0), strain: pair(&raw.strain, 0.0) }
+    Valid {
+        frequency_hz: pair(&raw.frequency_hz, &NOT_NEGATIVE),
+        celsius: pair(&raw.temperature_c, &TEMPERATURE),
+        strain: pair(&raw.strain, &NOT_NEGATIVE),
+    }
 }
 
 /// Roles that a number may have.

@@ -7,6 +7,7 @@ use crate::drivetrain::Chain;
 use crate::fatigue::shaft_rules::ShaftRule;
 use crate::input::error::{At, Check};
 use crate::input::measure::{LimitOfRule, MeasureSpec, UnitOf};
+use crate::input::schema::bounds::{KR_STRENGTH, M68_STRENGTH, M68_STRESS_FACTOR};
 use crate::input::schema::fatigue::RawCriterion;
 use crate::input::schema::measure::{
     RawAcceleration, RawAmplitude, RawBand, RawKrCrank, RawKrEngine, RawM68, RawMargin, RawStress, RawTorque, RawTwist, RawVelocity,
@@ -242,17 +243,15 @@ fn rated<'r>(check: &mut Check, at: &'r At<RawM68>, ratio: f64) -> Option<(&'r A
 /// `ratio`: speed of the shaft over that of the crankshaft.
 fn propulsion<'r>(check: &mut Check, at: &'r At<RawM68>, (diameter, ratio): (f64, f64)) -> Option<Rule<'r>> {
     let raw = at.get_ref();
-    let tensile =
-        PA_PER_MPA * check.within(&raw.tensile_strength_mpa, 400.0..=800.0, "N/mm² from 400 to the 800 up to which the rule counts it");
-    let stress_factor =
-        check.within(&raw.stress_factor, 0.1..=1.0, "c_K of the rule, 0.1 to 1 (1 for an integral flange, 0.6 for a tapered keyway)");
+    let tensile = PA_PER_MPA * check.within(&raw.tensile_strength_mpa, &M68_STRENGTH);
+    let stress_factor = check.within(&raw.stress_factor, &M68_STRESS_FACTOR);
     let (rated, rated_rpm) = rated(check, at, ratio)?;
     Some(Rule { words: "by IACS UR M68", rated, rated_rpm, rule: ShaftRule::Propulsion { tensile, stress_factor, diameter } })
 }
 
 fn crank<'r>(check: &mut Check, raw: &'r At<RawKrCrank>) -> Rule<'r> {
     let raw = raw.get_ref();
-    let tensile = PA_PER_MPA * check.within(&raw.tensile_strength_mpa, 400.0..=1500.0, "N/mm² from 400 to 1500");
+    let tensile = PA_PER_MPA * check.within(&raw.tensile_strength_mpa, &KR_STRENGTH);
     let rule = ShaftRule::Crank { tensile, in_line: raw.engine != RawKrEngine::Other };
     Rule { words: "by KR Pt 5 Ch 4", rated: &raw.rated_speed_rpm, rated_rpm: check.positive(&raw.rated_speed_rpm), rule }
 }

@@ -100,6 +100,7 @@ impl Names {
         let flexible = study.on_flexible();
         let by_matrices = flexible.is_some_and(|f| f.spec.beams().is_none());
         Self::of("curves", &[PAGE])
+            .both_if(flexible.is_some_and(|f| f.spec.beams().is_some()), &["crank_modes_free"])
             .both_if(flexible.is_some(), &["crank_modes", "orbits_#", "bearing_forces_#", "web_moments_#"])
             .tables_if(by_matrices, &unknowns.iter().map(String::as_str).collect::<Vec<_>>())
             .tables(&["holzer"])

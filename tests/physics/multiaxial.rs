@@ -311,3 +311,25 @@ fn constants_have_intervals() {
     let crossland = Criterion::CROSSLAND.weight(&Limits { torsion: 0.577 * STEEL.bending, ..STEEL }).expect("a constant");
     assert!(crossland.abs() < 2e-3, "near zero, as a user should know");
 }
+
+/// Law: the smallest circle holds the whole path and is met by it on more than half of its rim, or at both ends of a diameter.
+#[test]
+fn circle_round_the_path_of_the_deviator() {
+    let point = |j: usize| {
+        let t = std::f64::consts::TAU * j as f64 / 36.0;
+        [40.0 * t.sin(), 100.0 + 160.0 * t.cos(), 0.0, 60.0 * t.sin() + 15.0 * (2.0 * t).cos(), 0.0, 0.0].map(|s| s * 1e6)
+    };
+    let history = History::new((0..36).map(point));
+    let pair = invariants::largest_pair(&history);
+    let distance = |j: usize| (pair.path[0][j] - pair.centre[0]).hypot(pair.path[1][j] - pair.centre[1]);
+    let on_rim: Vec<f64> = (0..36)
+        .filter(|j| distance(*j) > pair.radius * (1.0 - 1e-9))
+        .map(|j| (pair.path[1][j] - pair.centre[1]).atan2(pair.path[0][j] - pair.centre[0]))
+        .collect();
+    assert!((0..36).all(|j| distance(j) <= pair.radius * (1.0 + 1e-9)), "inside");
+    let mut sorted = on_rim.clone();
+    sorted.sort_by(f64::total_cmp);
+    let turn = std::f64::consts::TAU;
+    let gaps = sorted.iter().zip(sorted.iter().skip(1).copied().chain(sorted.first().map(|a| a + turn))).map(|(a, b)| b - a);
+    assert!(on_rim.len() >= 2 && gaps.fold(0.0, f64::max) <= 0.5 * turn + 1e-6, "{on_rim:?}");
+}

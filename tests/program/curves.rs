@@ -3,9 +3,11 @@
 use crate::support::{assert_close, study};
 use assert_cmd::Command;
 use hartog::analysis::Silent;
-use hartog::analysis::curves::{Curves, Figure, Panel, Shown, curves, curves_of};
+use hartog::analysis::curves::{Curves, Figure, Look, Panel, Shown, curves, curves_of};
+use hartog::analysis::sizing::run;
 use hartog::engine::{Excitation, Source};
 use std::fs;
+use std::path::Path;
 
 fn of(name: &str, speeds: &[f64]) -> Curves {
     curves(&study(name), speeds, &Silent).unwrap_or_else(|e| panic!("{e}"))
@@ -170,16 +172,19 @@ fn torque_of_the_crank() {
     let curves = of("villalva_v10_thesis", &[6500.0]);
     let shafts = panel(&curves, "shafts_6500", 0);
     let sweep = curves.figures.iter().find(|f| f.name == "shaft_torque_none").expect("a sweep");
-    for swept in &sweep.panels {
+    let every = &sweep.panels[0].curves;
+    for swept in &sweep.panels[1..] {
         let own = shafts.curves.iter().find(|c| c.label == swept.title).expect("the shaft");
         let (low, high) = own.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, p| (m.0.min(p.1), m.1.max(p.1)));
         let all = swept.curves.iter().find(|c| c.label == "all orders").expect("the sum");
         let at = all.points.iter().find(|p| p.0 == 6500.0).expect("a speed of the study");
         assert_close(0.5 * (high - low), at.1, 1e-3, 0.0, &swept.title);
+        assert_eq!(every.iter().find(|c| c.label == swept.title).expect("every shaft").points, all.points);
     }
+    assert_eq!(every.iter().map(|c| &c.label).collect::<Vec<_>>(), shafts.curves.iter().map(|c| &c.label).collect::<Vec<_>>());
     let torque = panel(&curves, "torque_6500", 0);
     let title = &panel(&curves, "torsion_cases_6500", 0).curves[0].label;
-    let angle: f64 = title.trim_start_matches("at ").trim_end_matches('°').parse().expect("an angle");
+    let angle: f64 = title.trim_start_matches("at the largest load, ").trim_end_matches('°').parse().expect("an angle");
     for case in [0, 2] {
         let own = &panel(&curves, "torsion_cases_6500", 4).curves[case].points;
         for (throw, corners) in own.chunks(4).enumerate() {
@@ -190,6 +195,48 @@ fn torque_of_the_crank() {
             assert!(jump >= low - 1e-6 && jump <= high + 1e-6, "case {case}, throw {}: {jump} in {low} to {high}", throw + 1);
         }
     }
+}
+
+/// Law: at a resonance the frequency of a mode is that of an order at that speed; every mode and order that is drawn meets in all the points that the range of speeds holds.
+#[test]
+fn resonances_of_the_campbell_diagram() {
+    let found = of("villalva_v10", &[8700.0]);
+    let campbell = panel(&found, "campbell", 0);
+    let of_look = |wanted: fn(&Look) -> bool| campbell.curves.iter().filter(move |c| wanted(&c.look));
+    let modes: Vec<f64> = of_look(|l| matches!(l, Look::Black(_))).map(|c| c.points[0].1).collect();
+    let orders: Vec<f64> = of_look(|l| matches!(l, Look::Order(_))).map(|c| c.points[1].1 / c.points[1].0).collect();
+    let (low, high) = (campbell.curves[0].points[0].0, campbell.curves[0].points[1].0);
+    let mut expected: Vec<(f64, f64)> =
+        orders.iter().flat_map(|o| modes.iter().map(move |f| (f / o, *f))).filter(|p| (low..=high).contains(&p.0)).collect();
+    let mut drawn = of_look(|l| *l == Look::Points).next().expect("resonances").points.clone();
+    expected.sort_by(|a, b| a.0.total_cmp(&b.0));
+    drawn.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert!(drawn.len() > 10 && drawn.len() == expected.len(), "{} of {}", drawn.len(), expected.len());
+    for (a, b) in drawn.iter().zip(&expected) {
+        assert_close(a.0, b.0, 1e-12, 0.0, "speed");
+        assert_close(a.1, b.1, 1e-12, 0.0, "frequency");
+    }
+}
+
+/// Law: without offset and friction the liner alone holds the piston across its cylinder against the rod; the rod's force is as large in axes of the cylinder as along and across the rod.
+#[test]
+fn rod_of_a_sized_crank() {
+    let study = hartog::input::read_sizing(&Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/fialho_two_stroke.toml")).expect("a study");
+    let results = run(&study, &Silent).expect("sizes");
+    let figure = results.figures.iter().find(|f| f.name.starts_with("sizing_forces")).expect("forces");
+    let find = |title: &str, label: &str| {
+        let own = figure.panels.iter().find(|p| p.title.starts_with(title)).expect("a panel");
+        own.curves.iter().find(|c| c.label.starts_with(label)).expect("a curve").points.clone()
+    };
+    let (along, across) = (find("rod on piston pin", "along"), find("rod on piston pin", "across"));
+    let (tension, beside, liner) = (find("rod: tension", "along, small"), find("rod: tension", "across, small"), find("piston", "liner"));
+    let largest = along.iter().fold(0.0, |m: f64, p| m.max(p.1.abs()));
+    for j in 0..along.len() {
+        assert_close(across[j].1, -liner[j].1, 0.0, 1e-9 * largest, "across the cylinder");
+        assert_close(along[j].1.hypot(across[j].1), tension[j].1.hypot(beside[j].1), 1e-12, 1e-9, "size");
+    }
+    // at firing dead centre gas pushes the rod, and that the piston away from the crank
+    assert!(along[0].1 > 0.0 && tension[0].1 < 0.0, "{} {}", along[0].1, tension[0].1);
 }
 
 /// What is asked for is shown, and nothing else: one design, one throw, all orders; the fit of the inputs sees all designs.
@@ -204,7 +251,7 @@ fn only_what_is_asked_for() {
     assert_eq!(pins.curves.len(), 1);
     assert_eq!(pins.curves[0], panel(&all, "pin_forces_8700", 0).curves[1]);
     // orders 1/2 to 12, and all together
-    let of = |c: &Curves| panel(c, "shaft_torque_tuned_unity", 0).curves.len();
+    let of = |c: &Curves| panel(c, "shaft_torque_tuned_unity", 1).curves.len();
     assert_eq!((of(&some), of(&all)), (25, 7));
     assert_eq!(panel(&some, "shafts_8700", 0).curves, panel(&all, "shafts_8700", 1).curves);
 }

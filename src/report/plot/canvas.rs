@@ -94,6 +94,11 @@ impl Stroke {
         Self { style: line(COLOURS[place % COLOURS.len()], tenths), dash: DASHES[place % DASHES.len()] }
     }
 
+    /// Black, told apart from others by its dashes.
+    pub(crate) fn black(number: usize, tenths: u32) -> Self {
+        Self { style: line(BLACK, tenths), dash: DASHES[number % DASHES.len()] }
+    }
+
     /// That of an order, the same in every plot.
     pub(crate) fn of_order(order: crate::engine::Order, tenths: u32) -> Self {
         // main orders are often every third or fourth half order: they are to differ

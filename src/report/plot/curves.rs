@@ -1,25 +1,33 @@
 //! A plot a figure: panels from top to bottom.
 
 use super::canvas::{self, Drawn, Stroke, WIDTH, captioned, line, px, text};
-use super::legend::{self, Entry};
-use crate::analysis::curves::{Curve, Figure, Panel};
+use super::legend::{self, Entry, Mark};
+use crate::analysis::curves::{Curve, Figure, Look, Panel, Scale};
 use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 
 /// Height of a panel; its legend comes to it.
 const HEIGHT: u32 = 270;
 
+/// Height that comes to a panel whose axes have the same unit.
+const TALLER: u32 = 180;
+
 /// A curve of an order has the colour of that order in every plot; others go by their place.
 fn stroke(curve: &Curve, place: usize) -> Stroke {
-    match curve.order {
-        Some(order) => Stroke::of_order(order, 14),
-        None if curve.label.starts_with("all ") => Stroke::solid(line(BLACK, 20)),
-        None => Stroke::of(place, 15),
+    match curve.look {
+        Look::Line | Look::Points => Stroke::of(place, 15),
+        Look::Order(order) => Stroke::of_order(order, 14),
+        Look::Black(number) => Stroke::black(number, 20),
+        Look::Thin => Stroke::solid(line(canvas::GREY, 12)),
     }
 }
 
 fn entries(panel: &Panel) -> Vec<Entry> {
-    panel.curves.iter().enumerate().map(|(i, c)| Entry::curve(&c.label, stroke(c, i))).collect()
+    let entry = |(i, c): (usize, &Curve)| match c.look {
+        Look::Points => Entry::new(&c.label, Mark::Point(stroke(c, i).style.filled())),
+        _ => Entry::curve(&c.label, stroke(c, i)),
+    };
+    panel.curves.iter().enumerate().map(entry).collect()
 }
 
 /// Smallest and largest of some numbers, spread where they are one; zero belongs to the range of what crosses it or nearly reaches it.
@@ -32,11 +40,38 @@ fn range(values: impl Iterator<Item = f64> + Clone, margin: f64) -> (f64, f64) {
     (low - room, high + room)
 }
 
+/// Room round the axes of a panel, units: at the left and right, above and below.
+const BESIDE: (u32, u32) = (8 + 68, 24);
+const ABOVE: (u32, u32) = (8, 8 + 40);
+
+/// A range as wide as asked for, about its middle.
+fn widened((low, high): (f64, f64), width: f64) -> (f64, f64) {
+    let middle = f64::midpoint(low, high);
+    (middle - 0.5 * width, middle + 0.5 * width)
+}
+
+/// Ranges of both axes of a panel, whose axes have a width and height.
+fn ranges(panel: &Panel, (width, height): (f64, f64)) -> [(f64, f64); 2] {
+    let all = || panel.curves.iter().flat_map(|c| &c.points);
+    let (x, y) = (all().map(|p| p.0), all().map(|p| p.1));
+    match panel.scale {
+        Scale::Own => [range(x, 0.0), range(y.chain([0.0]), 0.05)],
+        Scale::AtLeast(top) => [range(x, 0.0), range(y.chain([0.0, top]), 0.05)],
+        Scale::CutAt(top) => [range(x, 0.0), (range(y.chain([0.0]), 0.05).0.min(0.0).max(-0.05 * top), top)],
+        Scale::Equal => {
+            let (x, y) = (range(x, 0.05), range(y, 0.05));
+            let unit = ((x.1 - x.0) / width).max((y.1 - y.0) / height);
+            [widened(x, unit * width), widened(y, unit * height)]
+        }
+    }
+}
+
 fn panel(area: &canvas::Area, panel: &Panel) -> Drawn {
     let left = legend::below(area, &entries(panel))?;
-    let all = || panel.curves.iter().flat_map(|c| &c.points);
-    let ((x0, x1), (y0, y1)) = (range(all().map(|p| p.0), 0.0), range(all().map(|p| p.1).chain([0.0, panel.y_top.unwrap_or(0.0)]), 0.05));
     let own = captioned(&left, &panel.title, text(15))?;
+    let (width, height) = own.dim_in_pixel();
+    let inside = |all: u32, (before, after): (u32, u32)| f64::from(all.saturating_sub(px(before + after)).max(1));
+    let [(x0, x1), (y0, y1)] = ranges(panel, (inside(width, BESIDE), inside(height, ABOVE)));
     let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .margin_right(px(24))
@@ -49,9 +84,14 @@ fn panel(area: &canvas::Area, panel: &Panel) -> Drawn {
     }
     for (i, curve) in panel.curves.iter().enumerate() {
         let stroke = stroke(curve, i);
-        canvas::curve(&mut chart, curve.points.iter().copied(), stroke)?;
-        if curve.points.len() <= 60 {
-            chart.draw_series(curve.points.iter().map(|p| Circle::new(*p, px(3), stroke.style.filled())))?;
+        let (points, top) = (|| curve.points.iter().copied(), if let Scale::CutAt(top) = panel.scale { top } else { f64::INFINITY });
+        if curve.look != Look::Points {
+            for piece in canvas::clipped(points(), top).into_iter().filter(|piece| piece.len() > 1) {
+                canvas::curve(&mut chart, piece, stroke)?;
+            }
+        }
+        if curve.look == Look::Points || (curve.look == Look::Line && curve.points.len() <= 60) {
+            chart.draw_series(points().filter(|p| p.1 <= top).map(|p| Circle::new(p, px(3), stroke.style.filled())))?;
         }
     }
     Ok(())
@@ -62,7 +102,8 @@ fn panel(area: &canvas::Area, panel: &Panel) -> Drawn {
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
 pub(crate) fn figure(figure: &Figure, folder: &Folder) -> Result<(), WriteError> {
-    let heights: Vec<u32> = figure.panels.iter().map(|p| HEIGHT + legend::height(&entries(p), WIDTH)).collect();
+    let height = |p: &Panel| HEIGHT + if p.scale == Scale::Equal { TALLER } else { 0 } + legend::height(&entries(p), WIDTH);
+    let heights: Vec<u32> = figure.panels.iter().map(height).collect();
     canvas::save(folder, &figure.name, (WIDTH, canvas::title_height(&figure.title) + heights.iter().sum::<u32>()), |area| {
         let mut rest = canvas::titled(area, &figure.title)?;
         for (one, height) in figure.panels.iter().zip(&heights) {

@@ -1,6 +1,7 @@
 //! The worst point, or the one asked for: its shear path with the circle, its path of Dang Van with the limit, and the factors of all criteria.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, WIDTH, captioned, fill, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, GREY, Stroke, WIDTH, captioned, fill, line, px, text};
+use super::legend::{self, Entry, Mark};
 use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::plane::Scratch;
 use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
@@ -19,12 +20,12 @@ use std::f64::consts::TAU;
 pub fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), WriteError> {
     let Some((point, result)) = &summary.critical else { return Ok(()) };
     let verdict = |c: Criterion| result.verdicts.iter().find(|v| v.criterion == c);
-    canvas::save(folder, "fatigue", (WIDTH, 36 + 370 + 300), |area| {
+    canvas::save(folder, "fatigue", (WIDTH, 36 + 412 + 320), |area| {
         let titled = canvas::titled(
             area,
             &format!("point {}{}", point.name, if summary.asked.is_none() { ": the smallest factor of all points" } else { "" }),
         )?;
-        let (upper, right) = titled.split_vertically(px(370));
+        let (upper, right) = titled.split_vertically(px(412));
         let (left, middle) = upper.split_horizontally(px(WIDTH / 2));
         if let Some(v) = verdict(Criterion::MATAKE) {
             shear_path(&left, point, v)?;
@@ -52,22 +53,27 @@ fn shear_path(area: &canvas::Area, point: &Point, v: &Verdict) -> Drawn {
     let path = closed(x.iter().zip(y).map(|(x, y)| (x / PA_PER_MPA, y / PA_PER_MPA)));
     let (centre, radius) = (circle.centre.map(|c| c / PA_PER_MPA), (circle.radius / PA_PER_MPA).max(1e-9));
     // a circle is to look like one: both axes have the same MPa in a unit
+    let (shown, round) = (line(COLOURS[0], 20), line(GREY, 12));
+    let area = legend::below(
+        area,
+        &[Entry::curve("shear over the cycle", Stroke::solid(shown)), Entry::curve("its smallest circle", Stroke::solid(round))],
+    )?;
     let (width, height) = area.dim_in_pixel();
     let (width, height) = (f64::from(width - px(76)), f64::from(height - px(74)));
     let reach = [width, height].map(|side| 1.15 * radius * side / width.min(height));
-    let own = captioned(area, "shear on the critical plane and its circle", text(14))?;
+    let own = captioned(&area, "shear on the critical plane and its circle", text(14))?;
     let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .x_label_area_size(px(40))
         .y_label_area_size(px(60))
         .build_cartesian_2d(centre[0] - reach[0]..centre[0] + reach[0], centre[1] - reach[1]..centre[1] + reach[1])?;
     canvas::mesh!(chart, "along growing phi / MPa", "along growing theta / MPa", 6, 6);
-    let round = (0..=180).map(|i| {
+    let circle = (0..=180).map(|i| {
         let (sine, cosine) = (TAU * f64::from(i) / 180.0).sine_cosine();
         (centre[0] + radius * cosine, centre[1] + radius * sine)
     });
-    chart.draw_series(LineSeries::new(round, line(GREY, 12)))?;
-    chart.draw_series(LineSeries::new(path, line(COLOURS[0], 20)))?;
+    chart.draw_series(LineSeries::new(circle, round))?;
+    chart.draw_series(LineSeries::new(path, shown))?;
     chart.draw_series(std::iter::once(Circle::new((centre[0], centre[1]), px(3), fill(GREY, 1.0))))?;
     Ok(())
 }
@@ -86,14 +92,16 @@ fn dang_van(area: &canvas::Area, point: &Point, v: &Verdict, limits: &Limits) ->
     let (low, high) = ((low - room).min(0.0), (high + room).max(0.0));
     let limit = |p: f64| limits.torsion / PA_PER_MPA - weight * p;
     let top = canvas::round_up(1.05 * limit(low).max(ends(|p| p.1).1));
-    let own = captioned(area, "Dang Van, plane: path and limit", text(14))?;
+    let (shown, allowed) = (line(COLOURS[0], 20), Stroke::dashed(line(COLOURS[1], 18)));
+    let area = legend::below(area, &[Entry::curve("stress over the cycle", Stroke::solid(shown)), Entry::curve("limit", allowed)])?;
+    let own = captioned(&area, "Dang Van, plane: path and limit", text(14))?;
     let mut chart =
         ChartBuilder::on(&own).margin(px(8)).x_label_area_size(px(40)).y_label_area_size(px(60)).build_cartesian_2d(low..high, 0.0..top)?;
     canvas::mesh!(chart, "hydrostatic stress / MPa", "mesoscopic shear / MPa", 6, 7);
     for piece in canvas::clipped([(low, limit(low)), (high, limit(high))].into_iter(), top) {
-        chart.draw_series(LineSeries::new(piece.into_iter().filter(|p| p.1 >= 0.0), line(COLOURS[1], 18)))?;
+        canvas::curve(&mut chart, piece.into_iter().filter(|p| p.1 >= 0.0), allowed)?;
     }
-    chart.draw_series(LineSeries::new(path, line(COLOURS[0], 20)))?;
+    chart.draw_series(LineSeries::new(path, shown))?;
     Ok(())
 }
 
@@ -101,7 +109,12 @@ fn factors(area: &canvas::Area, verdicts: &[Verdict]) -> Drawn {
     let finite = verdicts.iter().map(|v| v.safety_factor).filter(|f| f.is_finite());
     let top = canvas::round_up(1.15 * finite.fold(1.0, f64::max));
     let count = verdicts.len() as f64;
-    let own = captioned(area, "factors of all criteria", text(14))?;
+    let bar = |plane: bool| fill(if plane { COLOURS[0] } else { COLOURS[2] }, 0.85);
+    let area = legend::below(
+        area,
+        &[Entry::new("on a critical plane", Mark::Block(bar(true))), Entry::new("by invariants", Mark::Block(bar(false)))],
+    )?;
+    let own = captioned(&area, "factors of all criteria", text(14))?;
     let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .x_label_area_size(px(40))
@@ -123,8 +136,7 @@ fn factors(area: &canvas::Area, verdicts: &[Verdict]) -> Drawn {
     for (i, v) in verdicts.iter().enumerate() {
         let y = count - 1.0 - i as f64;
         let length = v.safety_factor.min(top);
-        let style = if v.plane.is_some() { COLOURS[0] } else { COLOURS[2] };
-        chart.draw_series(std::iter::once(Rectangle::new([(0.0, y + 0.2), (length, y + 0.8)], fill(style, 0.85))))?;
+        chart.draw_series(std::iter::once(Rectangle::new([(0.0, y + 0.2), (length, y + 0.8)], bar(v.plane.is_some()))))?;
         let label = text(13).pos(Pos::new(HPos::Right, VPos::Center));
         let name = EmptyElement::at((0.0, y + 0.5)) + Text::new(v.criterion.name().replace('_', " "), (-(px(8) as i32), 0), label);
         chart.draw_series(std::iter::once(name))?;

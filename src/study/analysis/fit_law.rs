@@ -3,7 +3,7 @@
 //! At each temperature but the reference a factor moves the parameters that follow temperature: a master curve and its shift at once.
 
 use super::calibrate::statistics::statistics;
-use super::curves::{Axis, Figure, Panel, curve};
+use super::curves::{Axis, Figure, Panel, Scale, curve};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::measured::MeasuredTable;
 use crate::absorber::{Declaration, Follows, Law, Operating, Range as Values, Surroundings};
@@ -190,7 +190,7 @@ impl LawFit {
                     curve(format!("law{place}"), hz(), points_at(*celsius).map(|p| part(p.fitted))),
                 ]
             };
-            Panel { title: title.into(), x: FREQUENCY, y, curves: self.factors.iter().flat_map(pair).collect(), y_top: None }
+            Panel { title: title.into(), x: FREQUENCY, y, curves: self.factors.iter().flat_map(pair).collect(), scale: Scale::Own }
         };
         Figure {
             name: "fit".into(),

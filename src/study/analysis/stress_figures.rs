@@ -1,11 +1,13 @@
 //! The stress of one point over the cycle, and the factors of a few points beside each other.
 
-use super::curves::{Axis, Curve, Figure, Panel, curve};
+use super::curves::{Axis, Curve, Figure, Look, Panel, Scale, curve};
 use super::stress_histories::Summary;
 use crate::fatigue::multiaxial::Criterion;
-use crate::fatigue::multiaxial::invariants::{largest_pair, sqrt_j2};
+use crate::fatigue::multiaxial::invariants::{Pair, largest_pair, sqrt_j2};
 use crate::fatigue::multiaxial::plane::resolved;
+use crate::numerics::elementary::Elementary;
 use crate::units::PA_PER_MPA;
+use std::f64::consts::TAU;
 
 const CYCLE: Axis = Axis { column: "cycle_percent", label: "part of the cycle / %" };
 const STRESS: Axis = Axis { column: "stress_mpa", label: "stress / MPa" };
@@ -30,15 +32,20 @@ pub fn of_point(summary: &Summary) -> Option<Figure> {
         let normal = plane.normal();
         over.push(curve("normal to the plane of the largest shear", percent(), mpa(history.along(&resolved(&normal, &normal)))));
     }
-    let ([a, b], [x, y]) = largest_pair(history);
-    let path = Curve { label: format!("S{} and S{}", a + 1, b + 1), order: None, points: mpa(x).zip(mpa(y)).collect() };
-    let panel = |title: &str, x: Axis, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x, y, curves, y_top: None };
+    let Pair { dimensions: [a, b], path: [x, y], centre, radius } = largest_pair(history);
+    let path = curve(format!("S{} and S{}", a + 1, b + 1), mpa(x), mpa(y));
+    let round = (0..=180).map(|i| {
+        let (sine, cosine) = (TAU * f64::from(i) / 180.0).sine_cosine();
+        ((centre[0] + radius * cosine) / PA_PER_MPA, (centre[1] + radius * sine) / PA_PER_MPA)
+    });
+    let circle = Curve { label: "its smallest circle".into(), look: Look::Thin, points: round.collect() };
+    let panel = |title: &str, (x, y), curves: Vec<Curve>, scale: Scale| Panel { title: title.into(), x, y, curves, scale };
     Some(Figure {
         name: "fatigue_history".into(),
         title: format!("stress of point {}", point.name),
         panels: vec![
-            panel("over the cycle", CYCLE, STRESS, over),
-            panel("deviator, pair of dimensions with the largest circle", ALONG, ACROSS, vec![path]),
+            panel("over the cycle", (CYCLE, STRESS), over, Scale::Own),
+            panel("deviator, pair of dimensions with the largest circle", (ALONG, ACROSS), vec![path, circle], Scale::Equal),
         ],
     })
 }
@@ -50,12 +57,12 @@ pub fn of_points(summary: &Summary) -> Option<Figure> {
     let line = |i: usize| {
         let numbered = summary.few.iter().enumerate().map(|(n, p)| ((n + 1) as f64, p.verdicts[i].safety_factor));
         let points = numbered.filter(|p| p.1.is_finite()).collect();
-        Curve { label: first.verdicts[i].criterion.name().replace('_', " "), order: None, points }
+        Curve { label: first.verdicts[i].criterion.name().replace('_', " "), look: Look::Line, points }
     };
     let curves = (0..first.verdicts.len()).map(line).collect();
     Some(Figure {
         name: "fatigue_points".into(),
         title: "safety factors of all points".into(),
-        panels: vec![Panel { title: "by every criterion".into(), x: POINT, y: FACTOR, curves, y_top: None }],
+        panels: vec![Panel { title: "by every criterion".into(), x: POINT, y: FACTOR, curves, scale: Scale::Own }],
     })
 }

@@ -73,13 +73,28 @@ fn pairs(path: &[Vec<f64>; 5]) -> f64 {
 /// The ten pairs of dimensions.
 const PAIRS: [[usize; 2]; 10] = [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3], [2, 3], [0, 4], [1, 4], [2, 4], [3, 4]];
 
-/// The two of the five dimensions of the deviator, from 0, in which its path has the largest circle, and its path there, Pa.
+/// The path of the deviator in two of its five dimensions, and the smallest circle round it.
 #[doc(hidden)]
-pub fn largest_pair(history: &History) -> ([usize; 2], [Vec<f64>; 2]) {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pair {
+    /// The two dimensions, from 0.
+    pub dimensions: [usize; 2],
+    /// Over the cycle, Pa.
+    pub path: [Vec<f64>; 2],
+    /// Centre of the circle, Pa.
+    pub centre: [f64; 2],
+    /// Its radius, Pa.
+    pub radius: f64,
+}
+
+/// The pair of dimensions of the deviator in which its path has the largest circle.
+#[doc(hidden)]
+pub fn largest_pair(history: &History) -> Pair {
     let path = history.deviator();
-    let radius = |[a, b]: [usize; 2]| smallest_ball([&path[a], &path[b]]).radius;
-    let [a, b] = PAIRS.into_iter().reduce(|m, p| if radius(p) > radius(m) { p } else { m }).unwrap_or(PAIRS[0]);
-    ([a, b], [path[a].clone(), path[b].clone()])
+    let circle = |[a, b]: [usize; 2]| smallest_ball([&path[a], &path[b]]);
+    let [a, b] = PAIRS.into_iter().reduce(|m, p| if circle(p).radius > circle(m).radius { p } else { m }).unwrap_or(PAIRS[0]);
+    let own = circle([a, b]);
+    Pair { dimensions: [a, b], path: [path[a].clone(), path[b].clone()], centre: own.centre, radius: own.radius }
 }
 
 /// sqrt(J2) over the cycle, Pa: the length of the deviator's vector of five dimensions.

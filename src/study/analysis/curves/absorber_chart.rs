@@ -1,6 +1,6 @@
 //! Closed-form optima of an absorber on an undamped mass over the inertia ratio, and its response for several dampings.
 
-use super::figure::{Axis, Curve, Figure, Panel, curve};
+use super::figure::{Axis, Curve, Figure, Look, Panel, Scale, curve};
 use crate::absorber::closed_forms::{brock_unity, den_hartog_brock, h_infinity, viscous_untuned};
 use crate::absorber::fixed_points::{Point, amplification, amplitude, frequency2};
 use crate::numerics::elementary::Elementary;
@@ -21,7 +21,7 @@ const FREQUENCIES: (f64, f64) = (0.4, 1.6);
 const DAMPINGS: [f64; 3] = [0.1, 0.3, 1.0];
 /// Frequencies over which a peak is looked for.
 const FINE: usize = 400;
-/// Amplitudes are cut here: an undamped resonance is infinite.
+/// The picture ends here: an undamped resonance is infinite.
 const TALLEST: f64 = 20.0;
 
 /// Amplitude of the engine over frequency at one inertia ratio: without damping, with some, and with the ring locked; all pass the fixed points.
@@ -29,23 +29,23 @@ fn response() -> Panel {
     let tuning = 1.0 / (1.0 + SHOWN);
     let frequency = |i: usize| FREQUENCIES.0 + (FREQUENCIES.1 - FREQUENCIES.0) * i as f64 / (POINTS - 1) as f64;
     let line = |label: String, damping: f64| {
-        let points = (0..POINTS).map(frequency).map(|f| (f, amplitude(SHOWN, tuning, damping, f * f).min(TALLEST)));
-        Curve { label, order: None, points: points.collect() }
+        let points = (0..POINTS).map(frequency).map(|f| (f, amplitude(SHOWN, tuning, damping, f * f)));
+        Curve { label, look: Look::Line, points: points.collect() }
     };
     let fixed = [Point::I, Point::II].map(|p| (frequency2(SHOWN, tuning, p).sqrt(), amplification(SHOWN, tuning, p)));
     let mut curves = vec![line("no damping".into(), 0.0)];
     curves.extend(DAMPINGS.map(|d| line(format!("damping ratio {d}"), d)));
     curves.push(line("ring locked".into(), f64::INFINITY));
-    curves.push(Curve { label: "at the height of the fixed points".into(), order: None, points: fixed.to_vec() });
+    curves.push(Curve { label: "fixed points".into(), look: Look::Points, points: fixed.to_vec() });
     let title = format!("response of the engine, inertia ratio {SHOWN}, tuning by Den Hartog, cut at {TALLEST}");
-    Panel { title, x: FREQUENCY, y: AMPLITUDE, curves, y_top: None }
+    Panel { title, x: FREQUENCY, y: AMPLITUDE, curves, scale: Scale::CutAt(TALLEST) }
 }
 
 /// Tuning, damping, peak and frequencies \[Villalva 2014\] chapter 6; the peaks are those at the fixed points, sqrt(1 + 2/mu) tuned by Den Hartog, 1 + 2/mu for a viscous one, and that of the exact optimum.
 pub(super) fn absorber_chart() -> Figure {
     let ratio = |i: usize| RATIOS.0 * (RATIOS.1 / RATIOS.0).power(i as f64 / (POINTS - 1) as f64);
     let line = |label: &str, f: &dyn Fn(f64) -> f64| -> Curve { curve(label, (0..POINTS).map(ratio), (0..POINTS).map(|i| f(ratio(i)))) };
-    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: RATIO, y, curves, y_top: None };
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: RATIO, y, curves, scale: Scale::Own };
     let at = |tuning: fn(f64) -> f64, point: Point| move |mu: f64| frequency2(mu, tuning(mu), point).sqrt();
     Figure {
         name: "absorber_chart".into(),

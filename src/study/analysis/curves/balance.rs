@@ -1,7 +1,7 @@
 //! Free forces and moments of the moving masses on the engine.
 
 use super::cylinder::{STRIDE, cylinder_of, degrees};
-use super::figure::{CRANK_DEG, FORCE, Figure, MOMENT, Panel, curve};
+use super::figure::{CRANK_DEG, FORCE, Figure, MOMENT, Panel, Scale, curve};
 use crate::engine::cycle::{axes, pin_angles};
 use crate::engine::pressure::{sample_angle, samples};
 use crate::input::Study;
@@ -57,11 +57,17 @@ pub(super) fn balance(study: &Study, speed_rpm: f64) -> Option<Figure> {
         x: CRANK_DEG,
         y: FORCE,
         curves: vec![line("along the middle of the banks", 0), line("across it", 1)],
-        y_top: None,
+        scale: Scale::Own,
     }];
     if middle.is_some() {
         let curves = vec![line("in the plane of the middle of the banks", 2), line("across it", 3)];
-        panels.push(Panel { title: "free moment about the middle of the crank".into(), x: CRANK_DEG, y: MOMENT, curves, y_top: None });
+        panels.push(Panel {
+            title: "free moment about the middle of the crank".into(),
+            x: CRANK_DEG,
+            y: MOMENT,
+            curves,
+            scale: Scale::Own,
+        });
     }
     Some(Figure { name: "balance".into(), title: format!("{}: balance at {speed_rpm} rpm", study.engine.name), panels })
 }

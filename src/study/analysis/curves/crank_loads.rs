@@ -1,7 +1,7 @@
 //! Loads of the main bearings over the cycle; shear force, bending moment and torque along the crank when each of its throws is loaded most.
 
 use super::cylinder::STRIDE;
-use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE, curve};
+use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, Look, MOMENT, Panel, Scale, TORQUE, curve};
 use super::shown::Shown;
 use crate::crankshaft::loads::{self, CrankModel};
 use crate::input::Study;
@@ -28,7 +28,7 @@ pub(super) fn crank_loads(study: &Study, shown: &Shown, speed_rpm: f64) -> Optio
         let (v, m) = loads.along(j, t);
         let named = |points: &[(f64, f64)]| Curve {
             label: format!("throw {} at {:.0}°", t + 1, loads.theta[j] * DEG_PER_RAD),
-            order: None,
+            look: Look::Line,
             points: points.iter().map(|(x, y)| (x * MM, *y)).collect(),
         };
         shear.push(named(&v[0]));
@@ -46,7 +46,7 @@ pub(super) fn crank_loads(study: &Study, shown: &Shown, speed_rpm: f64) -> Optio
         steps.push((crank.bearings()[crank.throws()], sum));
         torque.push(named(&steps));
     }
-    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: PLACE, y, curves, y_top: None };
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: PLACE, y, curves, scale: Scale::Own };
     Some(Figure {
         name: format!("crank_loads_{speed_rpm}"),
         title: format!("{}: the crank at {speed_rpm} rpm when each throw is loaded most", study.engine.name),
@@ -73,6 +73,6 @@ pub(super) fn bearings(study: &Study, speed_rpm: f64) -> Option<Figure> {
     Some(Figure {
         name: format!("bearings_{speed_rpm}"),
         title: format!("{}: loads of the main bearings at {speed_rpm} rpm", study.engine.name),
-        panels: vec![Panel { title: "the crank a continuous beam".into(), x: CRANK_DEG, y: FORCE, curves, y_top: None }],
+        panels: vec![Panel { title: "the crank a continuous beam".into(), x: CRANK_DEG, y: FORCE, curves, scale: Scale::Own }],
     })
 }

@@ -1,6 +1,6 @@
 //! Pressure over crank angle and over swept volume; forces and torque of a cylinder and of the throws.
 
-use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, Panel, TORQUE, curve};
+use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, Look, Panel, Scale, TORQUE, curve};
 use super::shown::Shown;
 use crate::engine::cycle::Cycle;
 use crate::engine::forces::{UnitForces, friction_torque, gas_torque, inertia_torque_per_omega2, unit_forces};
@@ -54,7 +54,7 @@ pub(super) fn pressure(study: &Study, speeds_rpm: &[f64]) -> Option<Figure> {
     let over = |x: &dyn Fn(usize) -> f64| -> Vec<Curve> {
         let one = |(speed, trace): &(f64, Vec<f64>)| {
             let points = trace.iter().enumerate().map(|(j, p)| (x(j * STRIDE), p / PA_PER_BAR)).collect();
-            Curve { label: format!("{speed} rpm"), order: None, points }
+            Curve { label: format!("{speed} rpm"), look: Look::Line, points }
         };
         traces.iter().map(one).collect()
     };
@@ -68,9 +68,9 @@ pub(super) fn pressure(study: &Study, speeds_rpm: &[f64]) -> Option<Figure> {
                 x: CRANK_DEG,
                 y: PRESSURE,
                 curves: over(&|j| sample_angle(j) * DEG_PER_RAD),
-                y_top: None,
+                scale: Scale::Own,
             },
-            Panel { title: "over the swept volume".into(), x: VOLUME, y: PRESSURE, curves: over(&swept), y_top: None },
+            Panel { title: "over the swept volume".into(), x: VOLUME, y: PRESSURE, curves: over(&swept), scale: Scale::Own },
         ],
     })
 }
@@ -85,7 +85,7 @@ pub(super) fn forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let gas = |j: usize| gas_torque(geometry, moments[j].pressure, moments[j].theta);
     let masses = |j: usize| inertia_torque_per_omega2(geometry, moments[j].theta) * moments[j].omega.powi(2);
     let friction = |j: usize| friction_torque(geometry, moments[j]);
-    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: CRANK_DEG, y, curves, y_top: None };
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: CRANK_DEG, y, curves, scale: Scale::Own };
     Some(Figure {
         name: format!("forces_{speed_rpm}"),
         title: format!("{}: forces of a cylinder at {speed_rpm} rpm", study.engine.name),
@@ -128,8 +128,9 @@ pub(super) fn torque(study: &Study, shown: &Shown, speed_rpm: f64) -> Option<Fig
     let n = loads.theta.len();
     let line = |t: usize| curve(format!("throw {}", t + 1), degrees(n), loads.torque[t].iter().copied());
     let throws = shown.throws(loads.torque.len()).map(line).collect();
-    let total = curve("all throws", degrees(n), (0..n).map(|j| loads.torque.iter().map(|t| t[j]).sum()));
-    let panel = |title: &str, curves| Panel { title: title.into(), x: CRANK_DEG, y: TORQUE, curves, y_top: None };
+    let sum = curve("all throws", degrees(n), (0..n).map(|j| loads.torque.iter().map(|t| t[j]).sum()));
+    let total = Curve { look: Look::Black(0), ..sum };
+    let panel = |title: &str, curves| Panel { title: title.into(), x: CRANK_DEG, y: TORQUE, curves, scale: Scale::Own };
     Some(Figure {
         name: format!("torque_{speed_rpm}"),
         title: format!("{}: torque on the crank at {speed_rpm} rpm", study.engine.name),

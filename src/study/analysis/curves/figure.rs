@@ -1,5 +1,7 @@
 //! Curves on their way to a table and a plot.
 
+use crate::engine::Order;
+
 /// What stands on an axis: its column with unit, and its words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Axis {
@@ -30,13 +32,41 @@ pub(crate) const ACCELERATION: Axis = Axis { column: "acceleration_m_per_s2", la
 /// Angle.
 pub(crate) const ANGLE: Axis = Axis { column: "angle_deg", label: "angle / °" };
 
+/// How a curve is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Look {
+    /// A line of its own colour and dashes.
+    Line,
+    /// A line of an order: the same in every plot.
+    Order(Order),
+    /// A black line, above the others; those of one panel are told apart by their number.
+    Black(usize),
+    /// A thin grey line beside what the panel shows: a limit, a circle.
+    Thin,
+    /// Points without a line between them.
+    Points,
+}
+
+/// How far the axes of a panel reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scale {
+    /// As far as its curves.
+    Own,
+    /// Upwards as far as this at least, so that figures can share it.
+    AtLeast(f64),
+    /// Upwards as far as this: curves end there.
+    CutAt(f64),
+    /// Both axes have the same unit: a circle looks like one.
+    Equal,
+}
+
 /// One curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Its name.
     pub label: String,
-    /// The order that it is of, where it is of one: the same colour in every plot.
-    pub order: Option<crate::engine::Order>,
+    /// How it is drawn.
+    pub look: Look,
     /// Its points.
     pub points: Vec<(f64, f64)>,
 }
@@ -52,8 +82,8 @@ pub struct Panel {
     pub y: Axis,
     /// The curves.
     pub curves: Vec<Curve>,
-    /// What the axis upwards reaches at least, so that figures can share it.
-    pub y_top: Option<f64>,
+    /// How far its axes reach.
+    pub scale: Scale,
 }
 
 /// Panels that belong together.
@@ -70,5 +100,5 @@ pub struct Figure {
 /// A curve of two columns.
 #[doc(hidden)]
 pub fn curve(label: impl Into<String>, x: impl IntoIterator<Item = f64>, y: impl IntoIterator<Item = f64>) -> Curve {
-    Curve { label: label.into(), order: None, points: x.into_iter().zip(y).collect() }
+    Curve { label: label.into(), look: Look::Line, points: x.into_iter().zip(y).collect() }
 }

@@ -1,6 +1,6 @@
 //! Orbits of the journals in their bearings and forces on these, where the crank is flexible.
 
-use super::figure::{Axis, CRANK_DEG, FORCE, Figure, Panel, curve};
+use super::figure::{Axis, CRANK_DEG, FORCE, Figure, Panel, Scale, curve};
 use crate::crankshaft::flexible::mean_load;
 use crate::crankshaft::flexible::on_joints::OnJoints;
 use crate::drivetrain::System;
@@ -138,9 +138,17 @@ pub(super) fn journals(study: &Study, system: &System, speed_rpm: f64) -> Result
         title: format!("{}: {title} at {speed_rpm} rpm, without absorber", study.engine.name),
         panels: vec![panel],
     };
-    let panel = |title: &str, x, y, curves| Panel { title: title.into(), x, y, curves, y_top: None };
+    let panel = |title: &str, (x, y), curves, scale| Panel { title: title.into(), x, y, curves, scale };
     Ok(vec![
-        figure("orbits", "orbits of the journals", panel("middle of each main bearing, standing still", ACROSS, UP, orbits)),
-        figure("bearing_forces", "forces on the main bearings", panel(&format!("the flexible crank {on}"), CRANK_DEG, FORCE, forces)),
+        figure(
+            "orbits",
+            "orbits of the journals",
+            panel("middle of each main bearing, standing still", (ACROSS, UP), orbits, Scale::Equal),
+        ),
+        figure(
+            "bearing_forces",
+            "forces on the main bearings",
+            panel(&format!("the flexible crank {on}"), (CRANK_DEG, FORCE), forces, Scale::Own),
+        ),
     ])
 }

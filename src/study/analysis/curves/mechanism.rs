@@ -1,7 +1,7 @@
 //! The slider-crank over the cycle: motion of piston and rod, forces on every crankpin, and its forces by both methods.
 
 use super::cylinder::{STRIDE, cylinder_of, degrees};
-use super::figure::{ACCELERATION, ANGLE, Axis, CRANK_DEG, Curve, FORCE, Figure, Panel, SPEED, TORQUE, TRAVEL, VELOCITY, curve};
+use super::figure::{ACCELERATION, ANGLE, Axis, CRANK_DEG, Curve, FORCE, Figure, Panel, SPEED, Scale, TORQUE, TRAVEL, VELOCITY, curve};
 use super::shown::Shown;
 use crate::engine::Engine;
 use crate::engine::cycle::{Cycle, ThrowLoads, axes, crank_fixed, pin_angles};
@@ -14,7 +14,7 @@ const RATE: Axis = Axis { column: "angular_velocity_rad_per_s", label: "angular 
 const RATE_CHANGE: Axis = Axis { column: "angular_acceleration_rad_per_s2", label: "angular acceleration / rad/s²" };
 
 fn panel(title: &str, y: Axis, curves: Vec<Curve>) -> Panel {
-    Panel { title: title.into(), x: CRANK_DEG, y, curves, y_top: None }
+    Panel { title: title.into(), x: CRANK_DEG, y, curves, scale: Scale::Own }
 }
 
 /// Travel from firing dead centre, velocity and acceleration of the piston, and lean of the rod with its rates, at a speed. Nothing where the torque comes from a table.
@@ -130,7 +130,7 @@ pub(super) fn over_speed(study: &Study) -> Option<Figure> {
     };
     let found: Vec<[f64; 5]> = study.speeds_rpm.iter().map(at).collect();
     let line = |label: &str, i: usize| curve(label, study.speeds_rpm.iter().copied(), found.iter().map(|f| f[i]));
-    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: SPEED, y, curves, y_top: None };
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: SPEED, y, curves, scale: Scale::Own };
     Some(Figure {
         name: "loads_over_speed".into(),
         title: format!("{}: loads of a crankpin over speed", study.engine.name),

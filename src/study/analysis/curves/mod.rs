@@ -17,7 +17,7 @@ mod webs;
 
 pub use figure::curve;
 pub(crate) use figure::{ACCELERATION, CRANK_DEG, FORCE, MOMENT, TORQUE, TRAVEL, VELOCITY};
-pub use figure::{Axis, Curve, Figure, Panel};
+pub use figure::{Axis, Curve, Figure, Look, Panel, Scale};
 pub use modes::HolzerRow;
 pub use modes::holzer;
 pub use shown::Shown;
@@ -53,7 +53,7 @@ fn load_cases(study: &Study, system: &System) -> Vec<f64> {
 fn share_scale(figures: &mut [Figure]) {
     let points = figures.iter().flat_map(|f| &f.panels).flat_map(|p| &p.curves).flat_map(|c| &c.points);
     let top = points.map(|p| p.1).fold(0.0, f64::max);
-    figures.iter_mut().flat_map(|f| &mut f.panels).for_each(|p| p.y_top = Some(top));
+    figures.iter_mut().flat_map(|f| &mut f.panels).for_each(|p| p.scale = Scale::AtLeast(top));
 }
 
 /// All curves; forces at the given speeds, rpm, or else at that of the largest mean torque and at the highest.

@@ -1,7 +1,7 @@
 //! Mode shapes with their nodes, Holzer's table of each mode, and the sums of phase vectors by which orders drive a mode.
 
-use super::figure::{Axis, Curve, Figure, ORDER, Panel, SPEED, curve};
-use crate::analysis::model_check::{DRAWN_ORDERS, critical_speeds, largest_resonance, strongest_orders};
+use super::figure::{Axis, Curve, Figure, Look, ORDER, Panel, SPEED, Scale, curve};
+use crate::analysis::model_check::{Critical, DRAWN_ORDERS, critical_speeds, largest_resonance, strongest_orders};
 use crate::drivetrain::System;
 use crate::input::Study;
 use crate::numerics::C64;
@@ -91,7 +91,7 @@ pub(super) fn modes(study: &Study) -> Figure {
             line(if b == 0 { label.clone() } else { format!("branch of {}", chain.stations[stations[0]].name) }, stations)
         });
         let curves = curves.collect();
-        Panel { title: format!("mode {number}"), x: STATION, y: RELATIVE, curves, y_top: None }
+        Panel { title: format!("mode {number}"), x: STATION, y: RELATIVE, curves, scale: Scale::Own }
     };
     Figure {
         name: "modes".into(),
@@ -107,13 +107,19 @@ pub(super) fn campbell(study: &Study, system: &System) -> Figure {
     let critical = critical_speeds(study, &system.excitation.orders);
     let frequencies = study.modes.frequencies_hz();
     let highest = critical.iter().map(|c| c.mode).max().unwrap_or(1).min(frequencies.len());
-    let mode = |(i, f): (usize, &f64)| curve(format!("mode {}", i + 1), [low, high], [*f, *f]);
+    let mode = |(i, f): (usize, &f64)| Curve { look: Look::Black(i), ..curve(format!("mode {}", i + 1), [low, high], [*f, *f]) };
     let mut curves: Vec<Curve> = frequencies[..highest].iter().enumerate().map(mode).collect();
     let orders = strongest_orders(study, system, DRAWN_ORDERS).into_iter().filter(|n| largest_resonance(study, system, *n) > 0.0);
+    let mut met = Vec::new();
     for order in orders.map(|n| system.excitation.orders[n]) {
+        let at = |c: &&Critical| c.order == order && c.mode <= highest;
+        met.extend(critical.iter().filter(at).map(|c| (c.speed_rpm, frequencies[c.mode - 1])));
         let end = critical.iter().filter(|c| c.order == order).map(|c| c.speed_rpm).fold(low, f64::max);
         let line = curve(format!("order {order}"), [low, end], [low, end].map(|s| s * order.value() * HZ_PER_RPM));
-        curves.push(Curve { order: Some(order), ..line });
+        curves.push(Curve { look: Look::Order(order), ..line });
+    }
+    if !met.is_empty() {
+        curves.push(Curve { label: "resonances".into(), look: Look::Points, points: met });
     }
     Figure {
         name: "campbell".into(),
@@ -123,7 +129,7 @@ pub(super) fn campbell(study: &Study, system: &System) -> Figure {
             x: SPEED,
             y: FREQUENCY,
             curves,
-            y_top: None,
+            scale: Scale::Own,
         }],
     }
 }
@@ -167,7 +173,7 @@ pub(super) fn phase_vectors(study: &Study, system: &System) -> Figure {
         let shape = shape(study, mode);
         let sum = |n: usize| system.phases(n).iter().zip(&shape).map(|(p, phi)| p * *phi).sum::<C64>().norm();
         let curves = vec![curve(format!("mode {number}"), orders(), (0..system.orders()).map(sum))];
-        Panel { title: format!("mode {number}"), x: ORDER, y: VECTOR_SUM, curves, y_top: None }
+        Panel { title: format!("mode {number}"), x: ORDER, y: VECTOR_SUM, curves, scale: Scale::Own }
     };
     Figure {
         name: "phase_vectors".into(),

@@ -1,6 +1,6 @@
 //! Torque of the shafts by orders over speed, motions over the cycle, order spectrum of the torque.
 
-use super::figure::{ANGLE, CRANK_DEG, Curve, Figure, ORDER, Panel, SPEED, TORQUE, curve};
+use super::figure::{ANGLE, CRANK_DEG, Curve, Figure, Look, ORDER, Panel, SPEED, Scale, TORQUE, curve};
 use super::shown::Shown;
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
@@ -28,7 +28,13 @@ pub(super) fn spectrum(study: &Study, system: &System) -> Figure {
     Figure {
         name: "spectrum".into(),
         title: format!("{}: orders of the torque", study.engine.name),
-        panels: vec![Panel { title: "throw 1".into(), x: ORDER, y: TORQUE, curves: speeds.iter().map(spectrum_at).collect(), y_top: None }],
+        panels: vec![Panel {
+            title: "throw 1".into(),
+            x: ORDER,
+            y: TORQUE,
+            curves: speeds.iter().map(spectrum_at).collect(),
+            scale: Scale::Own,
+        }],
     }
 }
 
@@ -38,7 +44,7 @@ fn shafts(study: &Study, direct: &Direct, design: &[Mounted]) -> Result<Vec<Vec<
     direct.at_each(design, &shafts, &study.speeds_rpm, &mut Work::default())
 }
 
-/// Torque of the two shafts that vibrate most, by order and all together, over speed. Nothing for a chain without shafts.
+/// Torque of every shaft over speed, and that of the two that vibrate most by order. Nothing for a chain without shafts.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
@@ -57,6 +63,8 @@ pub(super) fn shaft_torque(
     let mut ranked: Vec<usize> = (0..sweeps.len()).collect();
     ranked.sort_by(|a, b| peak(&totals[*b]).total_cmp(&peak(&totals[*a])));
     ranked.truncate(2);
+    let total = |label: String, s: usize| curve(label, study.speeds_rpm.iter().copied(), totals[s].iter().copied());
+    let name = |s: usize| study.chain.shaft_name(s).replace('_', " ");
     let one = |s: &usize| {
         let of_order = |n: usize| sweeps[*s].iter().skip(n).step_by(orders).map(|y| y.norm()).collect::<Vec<f64>>();
         let mut main: Vec<usize> = (0..orders).collect();
@@ -69,13 +77,15 @@ pub(super) fn shaft_torque(
             .into_iter()
             .map(|n| {
                 let order = system.excitation.orders[n];
-                Curve { order: Some(order), ..curve(format!("order {order}"), study.speeds_rpm.iter().copied(), of_order(n)) }
+                Curve { look: Look::Order(order), ..curve(format!("order {order}"), study.speeds_rpm.iter().copied(), of_order(n)) }
             })
             .collect();
-        curves.push(curve("all orders", study.speeds_rpm.iter().copied(), totals[*s].iter().copied()));
-        Panel { title: study.chain.shaft_name(*s).replace('_', " "), x: SPEED, y: TORQUE, curves, y_top: None }
+        curves.push(Curve { look: Look::Black(0), ..total("all orders".into(), *s) });
+        Panel { title: name(*s), x: SPEED, y: TORQUE, curves, scale: Scale::Own }
     };
-    let panels: Vec<Panel> = ranked.iter().map(one).collect();
+    let every = (0..sweeps.len()).map(|s| total(name(s), s)).collect();
+    let every = Panel { title: "every shaft, all orders".into(), x: SPEED, y: TORQUE, curves: every, scale: Scale::Own };
+    let panels: Vec<Panel> = (!ranked.is_empty()).then_some(every).into_iter().chain(ranked.iter().map(one)).collect();
     Ok((!panels.is_empty()).then(|| Figure {
         name: format!("shaft_torque_{}", design.name),
         title: format!("{}: vibratory torque of the shafts, {}", study.engine.name, design.name.replace('_', " ")),
@@ -94,7 +104,7 @@ pub(super) fn histories(study: &Study, system: &System) -> Result<Figure, Respon
     let hub = Quantity::Twist { from: study.hub, to: None };
     let half = |y: &[C64]| synthesiser.extremes(y).half_peak_to_peak;
     let mut panels = [("twist", ANGLE), ("angle of the hub", ANGLE), ("torque of the shaft that vibrates most", TORQUE)]
-        .map(|(title, y)| Panel { title: title.into(), x: CRANK_DEG, y, curves: Vec::new(), y_top: None });
+        .map(|(title, y)| Panel { title: title.into(), x: CRANK_DEG, y, curves: Vec::new(), scale: Scale::Own });
     for design in &study.designs {
         let mut quantities = vec![study.twist, hub];
         quantities.extend((0..study.chain.len() - 1).map(Quantity::ShaftTorque));
@@ -106,7 +116,7 @@ pub(super) fn histories(study: &Study, system: &System) -> Result<Figure, Respon
         let label = format!("{} at {} rpm", design.name.replace('_', " "), study.speeds_rpm[worst]);
         for (panel, (q, scale)) in panels.iter_mut().zip([(Some(0), DEG_PER_RAD), (Some(1), DEG_PER_RAD), (largest, 1.0)]) {
             let Some(q) = q else { continue };
-            panel.curves.push(Curve { label: label.clone(), order: None, points: over_cycle(system, phasors_of(q), scale) });
+            panel.curves.push(Curve { label: label.clone(), look: Look::Line, points: over_cycle(system, phasors_of(q), scale) });
         }
     }
     let panels = panels.into_iter().filter(|p| !p.curves.is_empty()).collect();

@@ -1,7 +1,7 @@
 //! Torque of the crank at one speed: of every shaft over the cycle, and along the crank at two instants by the torsion cases.
 
 use super::crank_loads::PLACE;
-use super::figure::{ANGLE, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE};
+use super::figure::{ANGLE, CRANK_DEG, Curve, FORCE, Figure, Look, MOMENT, Panel, Scale, TORQUE};
 use super::responses::over_cycle;
 use crate::analysis::torsion_case::{at_bearings, in_the_middle, torques};
 use crate::crankshaft::Crank;
@@ -33,12 +33,12 @@ pub(super) fn shafts(study: &Study, system: &System, speed_rpm: f64) -> Result<O
             let found = direct.at_each(&design.absorbers, &quantities, &[speed_rpm], &mut Work::default())?;
             let line = |(s, phasors): (usize, &Vec<_>)| Curve {
                 label: study.chain.shaft_name(s).replace('_', " "),
-                order: None,
+                look: Look::Line,
                 points: over_cycle(system, phasors, scale),
             };
             let what = if scale == 1.0 { "vibratory torque" } else { "twist" };
             let curves = found.iter().enumerate().map(line).collect();
-            panels.push(Panel { title: format!("{what}, {words}"), x: CRANK_DEG, y, curves, y_top: None });
+            panels.push(Panel { title: format!("{what}, {words}"), x: CRANK_DEG, y, curves, scale: Scale::Own });
         }
     }
     torque.append(&mut twists);
@@ -83,14 +83,13 @@ pub(super) fn cases(study: &Study, system: &System, speed_rpm: f64) -> Result<Op
     });
     let vibratory: Vec<Vec<f64>> = vibratory.collect::<Result<_, ResponseError>>()?;
     let mut panels = along(&loads, &instants);
-    let named = ["at the largest load", "at the smallest load"];
-    for (i, (words, sign)) in named.into_iter().zip([1.0, -1.0]).enumerate() {
+    for (i, (words, sign)) in INSTANTS.into_iter().zip([1.0, -1.0]).enumerate() {
         let torque = |label: String, case: TorsionCase, vibratory: &[f64]| Curve {
             label,
-            order: None,
+            look: Look::Line,
             points: steps(&crank, &case.halves(&instants.applied[i], vibratory, sign)),
         };
-        let panel = |title: String, curves| Panel { title, x: PLACE, y: TORQUE, curves, y_top: None };
+        let panel = |title: String, curves| Panel { title, x: PLACE, y: TORQUE, curves, scale: Scale::Own };
         if let (Some(first), Some(design)) = (vibratory.first(), study.designs.first()) {
             let all = TorsionCase::ALL.map(|c| torque(format!("case {}", c.name()), c, first));
             panels.push(panel(format!("torque {words}, {}", design.name.replace('_', " ")), all.to_vec()));
@@ -105,17 +104,26 @@ pub(super) fn cases(study: &Study, system: &System, speed_rpm: f64) -> Result<Op
     }))
 }
 
+/// The two instants.
+const INSTANTS: [&str; 2] = ["at the largest load", "at the smallest load"];
+
 /// Shear force and bending moment along the crank at both instants, in the plane of the first throw and across it.
 fn along(loads: &CrankLoads, instants: &Instants) -> Vec<Panel> {
     let at = |i: usize| loads.along(instants.samples[i], 0);
     let both = [at(0), at(1)];
-    let label = |i: usize| format!("at {:.0}°", instants.theta[i] * DEG_PER_RAD);
+    let label = |i: usize| format!("{}, {:.0}°", INSTANTS[i], instants.theta[i] * DEG_PER_RAD);
     let curves = |of: &dyn Fn(usize) -> Vec<(f64, f64)>| -> Vec<Curve> {
-        let line = |i: usize| Curve { label: label(i), order: None, points: of(i).into_iter().map(|(x, y)| (x / M_PER_MM, y)).collect() };
+        let line =
+            |i: usize| Curve { label: label(i), look: Look::Line, points: of(i).into_iter().map(|(x, y)| (x / M_PER_MM, y)).collect() };
         vec![line(0), line(1)]
     };
-    let panel =
-        |title: &str, y, of: &dyn Fn(usize) -> Vec<(f64, f64)>| Panel { title: title.into(), x: PLACE, y, curves: curves(of), y_top: None };
+    let panel = |title: &str, y, of: &dyn Fn(usize) -> Vec<(f64, f64)>| Panel {
+        title: title.into(),
+        x: PLACE,
+        y,
+        curves: curves(of),
+        scale: Scale::Own,
+    };
     vec![
         panel("shear force in the plane of throw 1", FORCE, &|i| both[i].0[0].clone()),
         panel("shear force across it", FORCE, &|i| both[i].0[1].clone()),

@@ -1,6 +1,6 @@
 //! Moments in the middle of the webs over the cycle, where the crank is flexible.
 
-use super::figure::{CRANK_DEG, Figure, MOMENT, Panel, curve};
+use super::figure::{CRANK_DEG, Figure, MOMENT, Panel, Scale, curve};
 use crate::crankshaft::flexible::{WebLoad, WebLoads};
 use crate::drivetrain::System;
 use crate::input::Study;
@@ -35,7 +35,7 @@ pub(super) fn webs(study: &Study, system: &System, speed_rpm: f64) -> Result<Opt
             x: CRANK_DEG,
             y: MOMENT,
             curves: (0..all.ncols() / 8).map(line).collect(),
-            y_top: None,
+            scale: Scale::Own,
         }
     };
     let moments = [

@@ -1,9 +1,10 @@
 //! Forces and moments of a sized slider-crank over the cycle.
 
 use super::results::FrontPoint;
-use crate::analysis::curves::{ACCELERATION, Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE, TRAVEL, VELOCITY, curve};
+use crate::analysis::curves::{ACCELERATION, Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, Scale, TORQUE, TRAVEL, VELOCITY, curve};
 use crate::engine::kinematics::{Kinematics, SliderCrank};
 use crate::input::SizingStudy;
+use crate::numerics::elementary::Elementary;
 use crate::sizing::Sized;
 use crate::sizing::crank::shares;
 use crate::sizing::cycle::{Cycle, Gas};
@@ -23,13 +24,17 @@ pub(super) fn figures(study: &SizingStudy, sized: &Sized) -> Vec<Figure> {
 }
 
 fn panel(title: &str, y: Axis, curves: Vec<Curve>) -> Panel {
-    Panel { title: title.into(), x: CRANK_DEG, y, curves, y_top: None }
+    Panel { title: title.into(), x: CRANK_DEG, y, curves, scale: Scale::Own }
+}
+
+fn slider_crank(study: &SizingStudy) -> SliderCrank {
+    let spec = &study.specification;
+    SliderCrank { crank_radius: spec.crank_radius(), rod_length: spec.rod_length, kinematics: Kinematics::Exact }
 }
 
 /// Travel from dead centre, velocity and acceleration of the piston.
 fn kinematics(study: &SizingStudy, cycle: &Cycle, name: &str) -> Figure {
-    let spec = &study.specification;
-    let crank = SliderCrank { crank_radius: spec.crank_radius(), rod_length: spec.rod_length, kinematics: Kinematics::Exact };
+    let crank = slider_crank(study);
     let omega = cycle.speed_rpm * RAD_PER_S_PER_RPM;
     let line =
         |f: &dyn Fn(f64) -> f64| vec![curve("piston", cycle.crank_deg.iter().copied(), cycle.crank_deg.iter().map(|d| f(d * RAD_PER_DEG)))];
@@ -46,6 +51,15 @@ fn kinematics(study: &SizingStudy, cycle: &Cycle, name: &str) -> Figure {
 
 fn forces(study: &SizingStudy, cycle: &Cycle, name: &str) -> Figure {
     let over = |label: &str, y: &[f64]| curve(label, cycle.crank_deg.iter().copied(), y.iter().copied());
+    let crank = slider_crank(study);
+    // tension and cross force turned back by the lean of the rod
+    let on_pin = |j: usize| {
+        let (sine, cosine) = crank.lean(cycle.crank_deg[j] * RAD_PER_DEG).angle.sine_cosine();
+        let (tension, across) = (cycle.rod_tension_small[j], cycle.rod_across_small[j]);
+        [-(tension * cosine + across * sine), tension * sine - across * cosine]
+    };
+    let on_pin: Vec<[f64; 2]> = (0..cycle.crank_deg.len()).map(on_pin).collect();
+    let part = |axis: usize| on_pin.iter().map(|f| f[axis]).collect::<Vec<f64>>();
     Figure {
         name: format!("sizing_forces_{name}"),
         title: format!("{}: forces at {} rpm", study.title, cycle.speed_rpm),
@@ -60,6 +74,11 @@ fn forces(study: &SizingStudy, cycle: &Cycle, name: &str) -> Figure {
                     over("across, small end", &cycle.rod_across_small),
                     over("across, big end", &cycle.rod_across_big),
                 ],
+            ),
+            panel(
+                "rod on piston pin, in axes of the cylinder",
+                FORCE,
+                vec![over("along it, away from the crank", &part(0)), over("across it", &part(1))],
             ),
             panel("crankpin", FORCE, vec![over("radial, outwards", &cycle.radial), over("tangential", &cycle.tangential)]),
         ],
@@ -106,7 +125,7 @@ pub fn front_figure(study: &SizingStudy, front: &[FrontPoint]) -> Figure {
             x: RING,
             y,
             curves: std::iter::once(line(&rings, "with absorber", None)).chain(none).collect(),
-            y_top: None,
+            scale: Scale::Own,
         }
     };
     Figure {

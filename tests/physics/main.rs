@@ -32,6 +32,7 @@ mod responses;
 mod rotor;
 mod shaft;
 mod shaft_rules;
+mod sheared_sections;
 mod stiff_shafts;
 #[path = "../support.rs"]
 mod support;

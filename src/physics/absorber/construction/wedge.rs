@@ -1,4 +1,5 @@
 //! A ring bonded to the hub by discs of rubber whose thickness grows with the radius: the strain is the same everywhere.
+//! It is taken as sheared along the axis alone: by finite elements B is too small by about a third of the square of thickness over radius.
 
 use super::law::build;
 use super::shape::{FACES, M_PER_MM, MODULUS, OUTER_DIAMETER, RING_DENSITY, RING_WALL, Shape, annulus, dimension, polar};

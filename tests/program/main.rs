@@ -17,6 +17,7 @@ mod layering;
 mod limit_tables;
 mod long;
 mod new;
+mod order_sheets;
 mod overrides;
 mod page;
 mod platforms;

@@ -66,7 +66,7 @@ impl Carreau {
     }
 
     /// S of z = (i omega tau)^a.
-    fn stiffness_of(&self, omega: f64, z: C64) -> C64 {
+    pub(super) fn stiffness_of(&self, omega: f64, z: C64) -> C64 {
         C64::new(0.0, omega * self.damping) * (1.0 + z).power((self.flow_index - 1.0) / self.transition)
     }
 }

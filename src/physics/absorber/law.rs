@@ -116,12 +116,22 @@ pub trait Law: Debug + Send + Sync {
         values[0]
     }
 
-    /// Mean power dissipated at one frequency by a twist whose amplitude (rad, zero to peak) has this square, W: omega Im S |twist|²/2.
-    fn dissipated_power(&self, at: Operating, twist_square: f64) -> f64 {
+    /// Mean power dissipated at one frequency per square of the twist's amplitude (zero to peak), W/rad²: omega Im S/2.
+    fn loss(&self, at: Operating) -> f64 {
         match self.spring_and_damper() {
-            Some(s) => 0.5 * s.damping * at.omega * at.omega * twist_square,
-            None => 0.5 * at.omega * self.dynamic_stiffness(at).im * twist_square,
+            Some(s) => 0.5 * s.damping * at.omega * at.omega,
+            None => 0.5 * at.omega * self.dynamic_stiffness(at).im,
         }
+    }
+
+    /// The same at many points.
+    fn loss_each(&self, at: &[Operating], out: &mut [f64]) {
+        out.iter_mut().zip(at).for_each(|(out, at)| *out = self.loss(*at));
+    }
+
+    /// Mean power dissipated at one frequency by a twist whose amplitude (rad, zero to peak) has this square, W.
+    fn dissipated_power(&self, at: Operating, twist_square: f64) -> f64 {
+        self.loss(at) * twist_square
     }
 }
 

@@ -162,6 +162,12 @@ impl Mounted {
         self.hub_inertia + self.absorber.law().map_or(0.0, |law| law.hub_inertia())
     }
 
+    /// The same with its ring locked, of another inertia (kg m²) if need be: hub and housing stay.
+    #[must_use]
+    pub(crate) fn locked(&self, ring_inertia: f64) -> Self {
+        Self { on: self.on, hub_inertia: self.hub(), absorber: Absorber::Locked { ring_inertia } }
+    }
+
     /// The same with a hub or housing, kg m².
     #[must_use]
     pub fn with_hub(self, hub_inertia: f64) -> Self {

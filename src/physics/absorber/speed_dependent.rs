@@ -3,6 +3,7 @@
 use super::dynamic_stiffness::Operating;
 use super::law::{Declaration, Law};
 use super::material::Material;
+use super::parts::{Number, Parts};
 use crate::numerics::C64;
 use std::fmt::{self, Debug, Formatter};
 use std::sync::Arc;
@@ -43,6 +44,15 @@ impl<F: Fn(f64) -> Arc<dyn Law> + Send + Sync> Law for Varying<F> {
     fn depends_on_speed(&self) -> bool {
         // S does, slowly: narrow resonances, which are looked for by this, are those of the reference
         self.reference.depends_on_speed()
+    }
+    fn hub_inertia(&self) -> f64 {
+        self.reference.hub_inertia()
+    }
+    fn parts(&self) -> Option<&Parts<f64>> {
+        self.reference.parts()
+    }
+    fn parts_by_dimensions(&self) -> Option<Box<Parts<Number>>> {
+        self.reference.parts_by_dimensions()
     }
     fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
         self.reference.rebuilt(values)

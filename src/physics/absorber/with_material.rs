@@ -119,6 +119,9 @@ macro_rules! stands_in {
         fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
             self.$now.dynamic_stiffness_each(at, out);
         }
+        fn loss_each(&self, at: &[Operating], out: &mut [f64]) {
+            self.$now.loss_each(at, out);
+        }
         fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
             self.$now.followed_each(at)
         }

@@ -157,8 +157,7 @@ impl Basis {
             let inertia = m.absorber.ring_inertia();
             spring.is_some_and(|s| s.damping / inertia > fast || (s.stiffness / inertia).sqrt() > fast)
         };
-        let linked = |m: &Mounted| Mounted { absorber: Absorber::Locked { ring_inertia: m.absorber.ring_inertia() }, ..m.clone() };
-        design.iter().map(|m| if fast > 0.0 && is_rigid(m) { linked(m) } else { m.clone() }).collect()
+        design.iter().map(|m| if fast > 0.0 && is_rigid(m) { m.locked(m.absorber.ring_inertia()) } else { m.clone() }).collect()
     }
 
     /// The eigenvalue near a screened one with laws taken at its frequency, all damping counted: what screening leaves out is of the order of the square of the damping.

@@ -1,7 +1,7 @@
 //! Conditions an absorber is judged in: everything works, a cylinder misfires, the cylinders burn unequally, the absorber is cold, hot, aged, locked or
 //! lost.
 
-use crate::absorber::{Absorber, Host, Mounted, State};
+use crate::absorber::{Host, Mounted, State};
 use crate::engine::Units;
 
 /// State of engine and absorbers.
@@ -143,11 +143,9 @@ impl Condition {
 
     /// The absorbers of a design in this condition; in operation those of the reference, as their state is another one at every speed. What sat on a lost ring is lost with it.
     pub fn absorbers(self, design: &[Mounted]) -> Vec<Mounted> {
-        // a housing stays
-        let locked = |m: &Mounted, ring_inertia| Mounted { absorber: Absorber::Locked { ring_inertia }, hub_inertia: m.hub(), ..m.clone() };
         let lost = |m: &Mounted| match m.on {
-            Host::Station(_) => locked(m, 0.0),
-            Host::Ring(_) => Mounted { hub_inertia: 0.0, ..locked(m, 0.0) },
+            Host::Station(_) => m.locked(0.0),
+            Host::Ring(_) => Mounted { hub_inertia: 0.0, ..m.locked(0.0) },
         };
         match self.row().2 {
             Absorbers::AsGiven | Absorbers::InOperation => design.to_vec(),
@@ -156,7 +154,7 @@ impl Condition {
                     |m: &Mounted| Mounted { absorber: m.absorber.in_state(state).unwrap_or_else(|| m.absorber.clone()), ..m.clone() };
                 design.iter().map(changed).collect()
             }
-            Absorbers::Locked => design.iter().map(|m| locked(m, m.absorber.ring_inertia())).collect(),
+            Absorbers::Locked => design.iter().map(|m| m.locked(m.absorber.ring_inertia())).collect(),
             Absorbers::Lost => design.iter().map(lost).collect(),
         }
     }

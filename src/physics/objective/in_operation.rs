@@ -6,7 +6,7 @@ use crate::absorber::{Absorber, Law, Material, Mounted, varying};
 use crate::drivetrain::System;
 use crate::numerics::synthesis::Synthesiser;
 use crate::response::operation::{AtSpeed, Follower, Rule};
-use crate::response::{Direct, Grid, ResponseError};
+use crate::response::{Direct, Grid, Hosts, ResponseError};
 use crate::units::RAD_PER_S_PER_RPM;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -22,6 +22,7 @@ struct InOperation {
     /// Of the reference.
     law: Arc<dyn Law>,
     known: Mutex<HashMap<u64, Arc<dyn Law>>>,
+    hosts: Option<Arc<Hosts>>,
 }
 
 impl InOperation {
@@ -36,6 +37,7 @@ impl InOperation {
             index,
             law,
             known: Mutex::default(),
+            hosts: finder.hosts(design),
         })
     }
 
@@ -47,10 +49,11 @@ impl InOperation {
         design
     }
 
-    fn find(&self, speed_rpm: f64) -> Result<Arc<dyn Law>, ResponseError> {
+    /// The law at a speed, `index` in the grid where it is one of it.
+    fn find(&self, speed_rpm: f64, index: Option<usize>) -> Result<Arc<dyn Law>, ResponseError> {
         let direct = Direct::new(&self.system, &self.grid);
         let of = Follower { design: &self.design, index: self.index, law: self.law.clone() };
-        let at = AtSpeed::new((&direct, &self.synthesiser), &of, Rule::HalfPeakToPeak, speed_rpm, None);
+        let at = AtSpeed::new((&direct, &self.synthesiser), &of, Rule::HalfPeakToPeak, speed_rpm, self.hosts.as_deref().zip(index));
         at.at(at.celsius()?)
     }
 
@@ -60,7 +63,7 @@ impl InOperation {
         if let Some(law) = known().get(&shaft_speed.to_bits()) {
             return law.clone();
         }
-        let law = self.find(shaft_speed / RAD_PER_S_PER_RPM).unwrap_or_else(|_| self.law.clone());
+        let law = self.find(shaft_speed / RAD_PER_S_PER_RPM, None).unwrap_or_else(|_| self.law.clone());
         known().insert(shaft_speed.to_bits(), law.clone());
         law
     }
@@ -75,7 +78,7 @@ pub fn absorbers(condition: Condition, finder: &PeakFinder, design: &[Mounted]) 
     let (Condition::InOperation, Some(own)) = (condition, InOperation::of(finder, design)) else { return Ok(condition.absorbers(design)) };
     // all speeds of the grid at once, by all threads
     let speeds = &finder.grid.speed_rpm;
-    let laws = speeds.par_iter().map(|speed| own.find(*speed)).collect::<Result<Vec<_>, _>>()?;
+    let laws = speeds.par_iter().enumerate().map(|(i, speed)| own.find(*speed, Some(i))).collect::<Result<Vec<_>, _>>()?;
     let keys = speeds.iter().map(|speed| (speed * RAD_PER_S_PER_RPM).to_bits());
     *own.known.lock().unwrap_or_else(PoisonError::into_inner) = keys.zip(laws).collect();
     Ok(own.mounted(design))

@@ -16,8 +16,10 @@ use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Synthesiser, bound};
-use crate::response::{Direct, Grid, Method, Quantity, ResponseError, Work};
+use crate::response::{Direct, Grid, Hosts, Method, Quantity, ResponseError, Work, single};
+use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Peaks that differ by less than this share are level.
 pub(super) const LEVEL: f64 = 1e-9;
@@ -50,6 +52,8 @@ pub struct PeakFinder<'a> {
     pub(super) duty: &'a [DutyLoad],
     /// Tables for searches, with the largest error they may have.
     pub(super) surrogates: Vec<(Surrogate<'a>, f64)>,
+    /// What stations do without absorber at the speeds of the sweep, as far as it has been asked for.
+    hosts: Mutex<BTreeMap<usize, Arc<Hosts>>>,
 }
 
 /// Peaks found so far.
@@ -116,7 +120,21 @@ impl<'a> PeakFinder<'a> {
             margin: None,
             duty: &[],
             surrogates: Vec::new(),
+            hosts: Mutex::default(),
         }
+    }
+
+    /// What the station of a design of one absorber does without it at the speeds of the sweep.
+    pub(super) fn hosts(&self, design: &[Mounted]) -> Option<Arc<Hosts>> {
+        let (station, _) = single(design)?;
+        let known = || self.hosts.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = known().get(&station) {
+            return Some(found.clone());
+        }
+        // not while it is locked: who waits for it may be who computes it
+        let found = Arc::new(Hosts::on_station(&self.direct, station));
+        known().insert(station, found.clone());
+        Some(found)
     }
 
     /// Answers for the margin of a crank, too.

@@ -47,25 +47,32 @@ impl PeakFinder<'_> {
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
         let Some(&quantity) = measure.quantities.first() else { return Ok(()) };
+        let at: Vec<Operating> = speeds.rpm.iter().flat_map(|speed| (0..orders).map(|n| self.operating(n, *speed))).collect();
+        let losses_of = |r: usize| {
+            let mut losses = vec![0.0; at.len()];
+            design[r].absorber.law().inspect(|law| law.loss_each(&at, &mut losses));
+            losses
+        };
+        let losses: Vec<Vec<f64>> = measure.absorbers().map(losses_of).collect();
         let power_at = |i: usize| -> f64 {
-            let power_of = |(r, y): (usize, &Sweep)| {
+            let power_of = |(losses, y): (&Vec<f64>, &Sweep)| {
                 let y = &y[(start + i) * orders..(start + i + 1) * orders];
-                self.direct.power_of_twist(design, r, speeds.rpm[i], y)
+                losses[i * orders..].iter().zip(y).map(|(loss, y)| loss * y.norm_sqr()).sum::<f64>()
             };
-            measure.absorbers().zip(twists).map(power_of).sum::<f64>() * measure.within.weight(speeds.rpm[i])
+            losses.iter().zip(twists).map(power_of).sum::<f64>() * measure.within.weight(speeds.rpm[i])
         };
         let values: Vec<f64> = (0..speeds.rpm.len()).map(power_at).collect();
         let value_at = |speed: f64, work: &mut Work| -> Result<f64, ResponseError> {
             Ok(self.powers_at(design, measure, speed, work)?.iter().sum::<f64>() * measure.within.weight(speed))
         };
         let rise = |i: usize, n: usize| {
-            let power_rise = |(r, twist): (usize, &Sweep)| {
+            let power_rise = |(losses, twist): (&Vec<f64>, &Sweep)| {
                 let y = |j: usize| twist[(start + j) * orders + n];
                 let size = y(i).norm().max(y(i + 1).norm());
                 let most = (size + bend(&speeds.rpm, i, y).min(RISE * size)).powi(2) - size * size;
-                design[r].absorber.law().map_or(0.0, |law| law.dissipated_power(self.operating(n, speeds.rpm[i]), most))
+                losses[i * orders + n] * most
             };
-            measure.absorbers().zip(twists).map(power_rise).sum::<f64>() * measure.within.weight(speeds.rpm[i])
+            losses.iter().zip(twists).map(power_rise).sum::<f64>() * measure.within.weight(speeds.rpm[i])
         };
         let peak_at = |speed_rpm: f64, place, work: &mut Work| {
             let by_order = self.powers_at(design, measure, speed_rpm, work)?;

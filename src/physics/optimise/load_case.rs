@@ -106,6 +106,20 @@ impl<'a> LoadCase<'a> {
         self.finder.exact_value(&self.absorbers(design)?, (measure, least), &Shared::default(), work)
     }
 
+    /// Values of some measures of a design here, each with what it has to exceed to be told: nothing and less are zero. What they need of the design is computed once.
+    ///
+    /// # Errors
+    /// As [`Self::peak`], by measure.
+    #[doc(hidden)]
+    pub fn values_above(&self, design: &[Mounted], asked: &[(&Measure, f64)], work: &mut Work) -> Vec<Result<f64, ResponseError>> {
+        let own = match self.absorbers(design) {
+            Ok(own) => own,
+            Err(error) => return vec![Err(error); asked.len()],
+        };
+        let shared = Shared::of(asked.iter().map(|a| a.0));
+        asked.iter().map(|a| self.finder.exact_value(&own, *a, &shared, work)).collect()
+    }
+
     /// Measures of a limit or objective that are asked here, each with what it is in units of: those of this engine that count in this condition. Temperatures are those in operation in every load case, and a property is that of what was
     /// drawn: neither is another one in operation.
     #[doc(hidden)]
@@ -142,5 +156,5 @@ pub fn largest<'a>(
     measure: &Measure,
     work: &mut Work,
 ) -> Result<f64, ResponseError> {
-    load_cases.try_fold(0.0, |worst, case| Ok(f64::max(worst, case.peak(design, measure, work)?)))
+    load_cases.try_fold(0.0, |worst, case| Ok(f64::max(worst, case.peak_above(design, measure, worst, work)?)))
 }

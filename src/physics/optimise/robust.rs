@@ -258,11 +258,9 @@ pub fn scenarios<'a>(cases: &[LoadCase<'a>], deviations: &'a [Deviation]) -> Vec
 /// The largest value of a measure of a design over load cases with a deviation; infinite where nothing damps a resonance.
 #[doc(hidden)]
 pub fn deviated(cases: &[LoadCase], design: &[Mounted], deviation: &Deviation, measure: &Measure) -> f64 {
-    let cases = cases.iter().map(|case| LoadCase { deviation: Some(deviation), ..*case });
-    cases
-        .map(|case| case.peak(design, measure, &mut Work::default()))
-        .try_fold(0.0, |m, peak| peak.map(|p| f64::max(m, p)))
-        .unwrap_or(f64::INFINITY)
+    let mut cases = cases.iter().map(|case| LoadCase { deviation: Some(deviation), ..*case });
+    let larger = |m: f64, case: LoadCase| case.peak_above(design, measure, m, &mut Work::default()).map(|p| f64::max(m, p));
+    cases.try_fold(0.0, larger).unwrap_or(f64::INFINITY)
 }
 
 /// The optimum of a problem that has more scenarios than the one it is from: from there, and from those of its other local optima whose value, which more scenarios only raise, is below.

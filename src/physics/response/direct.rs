@@ -317,9 +317,12 @@ impl<'a> Direct<'a> {
     #[doc(hidden)]
     pub fn power_of_twist(&self, design: &[Mounted], index: usize, speed_rpm: f64, twist: &[C64]) -> f64 {
         let Some(law) = design[index].absorber.law() else { return 0.0 };
-        let rate = |n: usize| self.system.excitation.orders[n].omega(speed_rpm);
         let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
-        twist.iter().enumerate().map(|(n, y)| law.dissipated_power(Operating { omega: rate(n), shaft_speed }, y.norm_sqr())).sum()
+        let at: Vec<Operating> =
+            self.system.excitation.orders.iter().map(|order| Operating { omega: order.omega(speed_rpm), shaft_speed }).collect();
+        let mut losses = vec![0.0; at.len()];
+        law.loss_each(&at, &mut losses);
+        losses.iter().zip(twist).map(|(loss, y)| loss * y.norm_sqr()).sum()
     }
 }
 

@@ -6,7 +6,7 @@ use super::factored::Factored;
 use super::lane::LANES;
 use super::{Direct, Quantity, ResponseError, Work};
 use crate::absorber::mounted::with_law;
-use crate::absorber::{Absorber, ByFactor, Host, Law, Mounted, Operating};
+use crate::absorber::{ByFactor, Host, Law, Mounted, Operating};
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 use hartog_kernel::kernel;
@@ -26,12 +26,12 @@ struct Rest {
     output: (C64, C64),
 }
 
-/// The rest at the speeds of a grid, for designs of one ring alone on a station: the same whatever the ring.
+/// The rest at the speeds of a grid, for designs of one absorber on a station: the same whatever the absorber but for its hub, which is added.
 #[derive(Debug)]
 #[doc(hidden)]
 pub struct Hosts {
     /// What is known of it besides the angle.
-    quantity: Quantity,
+    quantity: Option<Quantity>,
     /// By speed; nothing where the chain resonates.
     stations: BTreeMap<usize, Vec<Option<Vec<Rest>>>>,
 }
@@ -40,26 +40,48 @@ impl Hosts {
     /// For these designs at the speeds of `direct`.
     pub fn of<'d>(direct: &Direct, quantity: Quantity, designs: impl Iterator<Item = &'d [Mounted]>) -> Self {
         let mut stations = BTreeMap::new();
-        for station in designs.filter_map(single) {
+        for (station, _) in designs.filter_map(single) {
             let host_at = |speed: &f64| host(direct, &[], (station, Some(quantity)), *speed);
             stations.entry(station).or_insert_with(|| direct.grid().speed_rpm.par_iter().map(host_at).collect());
         }
-        Self { quantity, stations }
+        Self { quantity: Some(quantity), stations }
     }
 
-    /// For a design at a speed of the grid.
-    fn get(&self, design: &[Mounted], speed: usize) -> Option<&[Rest]> {
-        self.stations.get(&single(design)?)?.get(speed)?.as_deref()
+    /// For designs on a station at the speeds of `direct`, without a quantity.
+    pub(crate) fn on_station(direct: &Direct, station: usize) -> Self {
+        let each = direct.grid().speed_rpm.iter().map(|speed| host(direct, &[], (station, None), *speed)).collect();
+        Self { quantity: None, stations: BTreeMap::from([(station, each)]) }
+    }
+
+    /// For a design at a speed of the grid, with these orders.
+    fn get(&self, design: &[Mounted], speed: usize, at: &[Operating]) -> Option<Cow<'_, [Rest]>> {
+        let (station, hub) = single(design)?;
+        let rest = self.stations.get(&station)?.get(speed)?.as_deref()?;
+        if hub == 0.0 {
+            return Some(Cow::Borrowed(rest));
+        }
+        rest.iter().zip(at).map(|(rest, at)| rest.with_hub(hub, *at)).collect::<Option<Vec<Rest>>>().map(Cow::Owned)
+    }
+}
+
+impl Rest {
+    /// The same with a hub of inertia J at the host, by its receptance: u0/(1 - omega² J H) and H/(1 - omega² J H); `None` where that is none.
+    fn with_hub(&self, hub: f64, at: Operating) -> Option<Self> {
+        let inertial = hub * at.omega * at.omega;
+        let held = 1.0 - inertial * self.receptance;
+        let (angle, receptance) = (self.angle / held, self.receptance / held);
+        let output = (self.output.0 + self.output.1 * (inertial * angle), self.output.1 * (1.0 + inertial * receptance));
+        (angle.is_finite() && receptance.is_finite()).then_some(Self { angle, receptance, output })
     }
 }
 
 /// Where an output and what the ring adds to it cancel by more than this, the whole is solved.
 const LARGEST_CANCELLATION: f64 = 1e5;
 
-/// The station that carries a ring alone.
-fn single(design: &[Mounted]) -> Option<usize> {
+/// The station that carries the only absorber, and the inertia of its hub.
+pub(crate) fn single(design: &[Mounted]) -> Option<(usize, f64)> {
     match design {
-        [m @ Mounted { on: Host::Station(station), .. }] if m.hub() == 0.0 => Some(*station),
+        [m @ Mounted { on: Host::Station(station), .. }] => Some((*station, m.hub())),
         _ => None,
     }
 }
@@ -81,19 +103,19 @@ impl<'a> OpenLaw<'a> {
     /// Absorber `index` of a design at a speed; `known`: hosts, and which speed of their grid this is.
     pub fn new(direct: &'a Direct<'a>, (design, index): (&'a [Mounted], usize), speed_rpm: f64, known: Option<(&'a Hosts, usize)>) -> Self {
         let (orders, shaft_speed) = (&direct.system.excitation.orders, speed_rpm * RAD_PER_S_PER_RPM);
-        let at = orders.iter().map(|order| Operating { omega: order.omega(speed_rpm), shaft_speed }).collect();
+        let at: Vec<Operating> = orders.iter().map(|order| Operating { omega: order.omega(speed_rpm), shaft_speed }).collect();
         let alone = !design.iter().any(|m| m.on == Host::Ring(index));
         let solved = || match design[index].on {
             Host::Station(station) if alone => {
                 let mut rest = design.to_vec();
-                rest[index].absorber = Absorber::Locked { ring_inertia: 0.0 };
+                rest[index] = rest[index].locked(0.0);
                 host(direct, &rest, (station, None), speed_rpm)
             }
             _ => None,
         };
-        let known = known.and_then(|(hosts, speed)| Some((hosts.quantity, Cow::Borrowed(hosts.get(design, speed)?))));
+        let known = known.and_then(|(hosts, speed)| Some((hosts.quantity, hosts.get(design, speed, &at)?)));
         let (output, host) = match known {
-            Some((quantity, host)) => (Some(quantity), Some(host)),
+            Some((quantity, host)) => (quantity, Some(host)),
             None => (None, solved().map(Cow::Owned)),
         };
         Self { direct, design, index, speed_rpm, at, host, output }

@@ -52,6 +52,7 @@ pub use exponential::Exponential;
 pub use grid::Grid;
 pub use holzer::Holzer;
 pub use host_receptance::Hosts;
+pub(crate) use host_receptance::single;
 pub use joint::JointReceptance;
 pub use method::Response;
 pub use method_enum::Method;

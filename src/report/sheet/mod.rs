@@ -8,6 +8,7 @@ use super::files::{Folder, WriteError};
 use super::plot::canvas::written_page;
 use crate::analysis::{Results, Sheet};
 use crate::input::Study;
+use crate::text::allocation::borne;
 use serde_json::json;
 
 /// Writes them all; none without a damper by its dimensions.
@@ -47,6 +48,7 @@ fn one(study: &Study, results: &Results, sheet: &Sheet, folder: &Folder) -> Resu
         "housing_mass_kg": sheet.parts.hub_mass,
         "housing_inertia_kg_m2": sheet.parts.hub_inertia,
         "sheared_volume_l": sheet.parts.sheared_volume * 1e3,
+        "borne_tolerances": borne(study, results, &sheet.design),
     });
     folder.write(&format!("{name}.json"), format!("{record:#}\n").as_bytes())
 }

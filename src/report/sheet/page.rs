@@ -7,6 +7,7 @@ use crate::analysis::{DesignResult, Results, Sheet};
 use crate::input::Study;
 use crate::objective::{Condition, holds};
 use crate::optimise::Scatter;
+use crate::text::allocation::borne;
 use crate::text::order_sheets::{accepted, holding, megapascal, outside, sentence};
 use crate::text::scattered;
 use crate::text::table::significant;
@@ -72,7 +73,7 @@ pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     }
     y = right.max(y + 345.0) + 4.0;
     let mut columns = [y, y];
-    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(sheet), made(study, sheet, sheared)];
+    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(sheet), made(study, results, (sheet, sheared))];
     for (i, block) in blocks.iter().filter(|b| !b.rows.is_empty()).enumerate() {
         let column = i % 2;
         let x = EDGE + column as f64 * (half + 10.0);
@@ -211,7 +212,7 @@ fn acceptance(sheet: &Sheet) -> Block {
     Block { title: "Acceptance test", rows }
 }
 
-fn made(study: &Study, sheet: &Sheet, sheared: Sheared) -> Block {
+fn made(study: &Study, results: &Results, (sheet, sheared): (&Sheet, Sheared)) -> Block {
     let mut rows = Vec::new();
     if let Some(spec) = &study.robust {
         let own = |s: &&Scatter| match s {
@@ -221,6 +222,7 @@ fn made(study: &Study, sheet: &Sheet, sheared: Sheared) -> Block {
         };
         rows.extend(spec.scatter().iter().filter(own).map(|s| row("Tolerance", scattered(s))));
     }
+    rows.extend(borne(study, results, &sheet.design).into_iter().map(|t| row("What the limits bear", t)));
     if let Some(h) = &sheet.holding {
         rows.push(row("Yield: limits hold, but those on sizes", holding(h)));
         rows.extend(h.broken.map(|l| row("broken most", study.limits[l].words.clone())));

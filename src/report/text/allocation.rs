@@ -40,6 +40,13 @@ fn of_design(study: &Study, d: &AllocationOfDesign) -> Option<String> {
     Some(format!("{}; {decides}{settled}", words.join(", ")))
 }
 
+/// Tolerances that a design can bear, by their keys.
+pub(crate) fn borne(study: &Study, results: &Results, design: &str) -> Vec<String> {
+    let Some((spec, d)) = study.robust.as_ref().zip(results.allocation.iter().find(|d| d.design == design)) else { return Vec::new() };
+    let scatter = spec.scatter();
+    d.tolerances.iter().map(|t| format!("{} ±{}", scatter_key(&scatter[t.of]), width(scatter[t.of].times(t.factor)))).collect()
+}
+
 /// A tolerance in the unit of its key.
 fn width(s: Scatter) -> String {
     match s {

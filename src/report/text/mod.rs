@@ -1,5 +1,5 @@
 //! What is printed: tables that line up, and sentences.
-mod allocation;
+pub(crate) mod allocation;
 mod answer;
 mod buildability;
 pub mod calibration;

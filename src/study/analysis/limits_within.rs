@@ -2,7 +2,9 @@
 
 use crate::absorber::{Deviation, Mounted};
 use crate::input::{LimitSpec, Study};
+use crate::objective::{Limit, Measure, holds};
 use crate::optimise::{LoadCase, robust};
+use crate::response::Work;
 
 /// Each limited measure but sizes and masses, which have tolerances of their own on the drawing: its index, and its largest value over some load cases over its limit; infinite where nothing damps a resonance.
 pub(super) fn ratios(study: &Study, cases: &[LoadCase], design: &[Mounted], deviation: &Deviation) -> Vec<(usize, f64)> {
@@ -16,6 +18,25 @@ pub(super) fn ratios(study: &Study, cases: &[LoadCase], design: &[Mounted], devi
     };
     let judged = study.limits.iter().enumerate().filter(|l| !l.1.of.measure.is_inertia());
     judged.map(|(i, l)| (i, ratio(l))).collect()
+}
+
+/// The limit that is broken by most (an index); `None` where all hold. As by [`worst`], but the values of limits that hold are not computed to the end.
+pub(super) fn broken(study: &Study, cases: &[LoadCase], design: &[Mounted], deviation: &Deviation) -> Option<usize> {
+    let judged: Vec<(usize, Limit)> =
+        study.limits.iter().enumerate().filter(|l| !l.1.of.measure.is_inertia()).map(|(i, l)| (i, l.to_limit())).collect();
+    let mut ratios = vec![0.0_f64; judged.len()];
+    for case in cases.iter().map(|case| LoadCase { deviation: Some(deviation), ..*case }) {
+        let mut asked: Vec<(usize, &Measure, f64)> = Vec::new();
+        for (at, (_, limit)) in judged.iter().enumerate() {
+            asked.extend(case.parts_of(limit).map(|(measure, most)| (at, measure, most)));
+        }
+        let above: Vec<(&Measure, f64)> = asked.iter().map(|(_, measure, most)| (*measure, *most)).collect();
+        for ((at, _, most), value) in asked.iter().zip(case.values_above(design, &above, &mut Work::default())) {
+            ratios[*at] = ratios[*at].max(value.map_or(f64::INFINITY, |v| v / most));
+        }
+    }
+    let largest = judged.iter().zip(ratios).fold((0.0, 0), |m, ((i, _), r)| if r > m.0 { (r, *i) } else { m });
+    (!holds(largest.0)).then_some(largest.1)
 }
 
 /// The largest of them, and the limit it is of.

@@ -9,16 +9,34 @@ use crate::numerics::{C64, ImaginaryPower};
 use crate::units::PA_PER_MPA;
 use std::sync::Arc;
 
+/// Points whose loss is computed at once.
+const LANES: usize = 64;
+
 /// A damper by its dimensions.
 #[derive(Debug, Clone)]
 struct Constructed {
     shape: &'static Shape,
     values: Vec<f64>,
     parts: Parts<f64>,
-    /// Of rubber or oil, B times its modulus or viscosity.
-    law: Arc<dyn Law>,
-    /// Of rubber the same law, with the power of its frequency: one point costs less by it.
-    rubber: Option<(FractionalZener, ImaginaryPower)>,
+    law: Own,
+    /// The power of the frequency in its law: one point costs less by it.
+    power: ImaginaryPower,
+}
+
+/// The law of what is sheared, as stiff or viscous as B times its modulus or viscosity.
+#[derive(Debug, Clone, Copy)]
+enum Own {
+    Rubber(FractionalZener),
+    Oil(Carreau),
+}
+
+impl Own {
+    fn law(&self) -> &dyn Law {
+        match self {
+            Self::Rubber(law) => law,
+            Self::Oil(law) => law,
+        }
+    }
 }
 
 /// A damper of a shape with these values.
@@ -26,16 +44,20 @@ pub(super) fn build(shape: &'static Shape, values: &[f64]) -> Arc<dyn Law> {
     let parts = shape.parts_of(values);
     let of = |i: usize| values[shape.dimensions + i];
     let strength = parts.factor * of(0) * unit(shape);
-    let zener =
-        || FractionalZener { ring_inertia: values[0], stiffness: strength, glass_ratio: of(1), relaxation_time: of(2), exponent: of(3) };
-    let rubber = (shape.sheared == Sheared::Rubber).then(|| (zener(), ImaginaryPower::new(of(3))));
-    let law: Arc<dyn Law> = match shape.sheared {
-        Sheared::Rubber => Arc::new(zener()),
+    let (law, exponent) = match shape.sheared {
+        Sheared::Rubber => {
+            let (glass_ratio, relaxation_time, exponent) = (of(1), of(2), of(3));
+            (
+                Own::Rubber(FractionalZener { ring_inertia: values[0], stiffness: strength, glass_ratio, relaxation_time, exponent }),
+                exponent,
+            )
+        }
         Sheared::Oil => {
-            Arc::new(Carreau { ring_inertia: values[0], damping: strength, relaxation_time: of(1), transition: of(2), flow_index: of(3) })
+            let (relaxation_time, transition, flow_index) = (of(1), of(2), of(3));
+            (Own::Oil(Carreau { ring_inertia: values[0], damping: strength, relaxation_time, transition, flow_index }), transition)
         }
     };
-    Arc::new(Constructed { shape, values: values.to_vec(), parts, law, rubber })
+    Arc::new(Constructed { shape, values: values.to_vec(), parts, law, power: ImaginaryPower::new(exponent) })
 }
 
 /// Pa, or Pa s, per unit of the parameter that says how stiff or viscous the material is.
@@ -57,23 +79,30 @@ impl Law for Constructed {
         self.values[0]
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
-        match &self.rubber {
-            Some((law, power)) => law.stiffness_of(power.branchless(at.omega * law.relaxation_time)),
-            None => self.law.dynamic_stiffness(at),
+        match &self.law {
+            Own::Rubber(law) => law.stiffness_of(self.power.branchless(at.omega * law.relaxation_time)),
+            Own::Oil(law) => law.stiffness_of(at.omega, self.power.of(at.omega * law.relaxation_time)),
         }
     }
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
-        self.law.dynamic_stiffness_each(at, out);
+        self.law.law().dynamic_stiffness_each(at, out);
+    }
+    fn loss_each(&self, at: &[Operating], out: &mut [f64]) {
+        let mut s = [C64::ZERO; LANES];
+        for (at, out) in at.chunks(LANES).zip(out.chunks_mut(LANES)) {
+            self.dynamic_stiffness_each(at, &mut s[..at.len()]);
+            out.iter_mut().zip(at.iter().zip(&s)).for_each(|(out, (at, s))| *out = 0.5 * at.omega * s.im);
+        }
     }
     fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
-        self.law.followed_each(at)
+        self.law.law().followed_each(at)
     }
     fn is_analytic(&self) -> bool {
-        self.law.is_analytic()
+        self.law.law().is_analytic()
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         // S is proportional to B and to the modulus or viscosity
-        let own = self.law.derivatives(at);
+        let own = self.law.law().derivatives(at);
         let by_factor = own[1] * self.values[self.shape.dimensions] * unit(self.shape);
         let by_strength = own[1] * self.parts.factor * unit(self.shape);
         let by = self.shape.with_derivatives(&self.values).factor.by;

@@ -3,7 +3,7 @@
 use super::harmonic_matrix::{Spectrum, Transform, add_products};
 use super::in_time::InTime;
 use super::linear::{Linear, Surroundings};
-use crate::absorber::{Absorber, Host, Instant, LargeTwist, Law, Mounted, Operating, Reaction};
+use crate::absorber::{Host, Instant, LargeTwist, Law, Mounted, Operating, Reaction};
 use crate::drivetrain::System;
 use crate::numerics::{C64, I, ZERO};
 use crate::response::{Quantity, ResponseError, Work};
@@ -72,7 +72,7 @@ impl<'a> Balance<'a> {
             design.iter().enumerate().find_map(|(i, m)| Some((i, m.absorber.law()?.clone())).filter(|l| l.1.large_twist().is_some()))?;
         let Host::Station(station) = design[index].on else { return None };
         let mut others = design.to_vec();
-        others[index].absorber = Absorber::Locked { ring_inertia: 0.0 };
+        others[index] = others[index].locked(0.0);
         let degree = law.large_twist().and_then(|l| l.degree());
         let (in_time, transform) = (InTime::new(system, &others, station), Transform::new(harmonics, degree));
         Some(Self { system, others, index, law, station, quantities: quantities.to_vec(), transform, in_time })

@@ -3,10 +3,9 @@
 
 use crate::absorber::mounted::with_law;
 use crate::absorber::{Deviation, Law, Mounted, Operating, Sheared, construction};
-use crate::analysis::limits_within::worst;
+use crate::analysis::limits_within::broken;
 use crate::drivetrain::natural;
 use crate::input::Study;
-use crate::objective::holds;
 use crate::optimise::{LoadCase, Scatter, Tolerances};
 use crate::units::HZ_PER_RAD_PER_S;
 use rand::SeedableRng;
@@ -77,7 +76,7 @@ pub(super) fn acceptance(
         points.par_iter().all(|p| {
             let made = tolerances.at(p);
             let Some(own) = with_number((design, index), &made, of, measured) else { return false };
-            holds(worst(study, cases, &own, &made).0)
+            broken(study, cases, &own, &made).is_none()
         })
     };
     let some = points(RANDOM, seed);

@@ -4,10 +4,9 @@
 //! lies near its corners, which the normal distribution rarely reaches (importance sampling).
 
 use crate::absorber::Mounted;
-use crate::analysis::limits_within::worst;
+use crate::analysis::limits_within::broken;
 use crate::input::{Sampling, Study};
 use crate::numerics::elementary::Elementary;
-use crate::objective::holds;
 use crate::optimise::{LoadCase, Tolerances};
 use rand::SeedableRng;
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -48,8 +47,8 @@ pub(super) fn holding(
         let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
         let points: Vec<Vec<f64>> = (0..sampling.samples).map(|_| tolerances.sample(normal, &mut generator)).collect();
         let judged = |p: Vec<f64>| {
-            let (ratio, limit) = worst(study, cases, design, &tolerances.at(&p));
-            (p, (!holds(ratio)).then_some(limit))
+            let failed = broken(study, cases, design, &tolerances.at(&p));
+            (p, failed)
         };
         points.into_par_iter().map(judged).collect()
     };

@@ -5,7 +5,7 @@
 
 use super::closed_forms::{EngineMode, viscous_damping};
 use super::dynamic_stiffness::{Operating, OperatingOver, by_frequency};
-use super::law::{ClosedForm, Declaration, Law};
+use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::elementary::ComplexElementary;
@@ -60,6 +60,16 @@ fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
 }
 
 impl Carreau {
+    /// S at a frequency in one line of instructions, for lanes; the exponent is (n - 1)/a.
+    #[inline(always)]
+    fn without_branches(&self, omega: f64, power: ImaginaryPower, exponent: f64) -> C64 {
+        let z = 1.0 + power.branchless(omega * self.relaxation_time);
+        let size = simd_elementary::exponential(0.5 * exponent * simd_elementary::logarithm(z.re * z.re + z.im * z.im));
+        let (sine, cosine) = simd_elementary::sine_cosine(exponent * simd_elementary::angle(z.re, z.im));
+        let newtonian = omega * self.damping * size;
+        C64::new(-newtonian * sine, newtonian * cosine)
+    }
+
     /// (i omega tau)^a.
     fn power(&self, omega: f64) -> C64 {
         ImaginaryPower::new(self.transition).of(omega * self.relaxation_time)
@@ -75,13 +85,19 @@ impl Carreau {
 #[kernel]
 fn stiffness_each(law: &Carreau, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
     let exponent = (law.flow_index - 1.0) / law.transition;
-    by_frequency(at, out, |omega| {
-        let z = 1.0 + power.branchless(omega * law.relaxation_time);
-        let size = simd_elementary::exponential(0.5 * exponent * simd_elementary::logarithm(z.re * z.re + z.im * z.im));
-        let (sine, cosine) = simd_elementary::sine_cosine(exponent * simd_elementary::angle(z.re, z.im));
-        let newtonian = omega * law.damping * size;
-        C64::new(-newtonian * sine, newtonian * cosine)
-    });
+    by_frequency(at, out, |omega| law.without_branches(omega, power, exponent));
+}
+
+/// S at many multiples of frequencies.
+#[kernel]
+fn at_multiples(law: &Carreau, (power, multiple): (ImaginaryPower, f64), omega: &[f64], [re, im, below]: [&mut [f64]; 3]) {
+    let (exponent, n) = ((law.flow_index - 1.0) / law.transition, omega.len());
+    let (re, im) = (&mut re[..n], &mut im[..n]);
+    for i in 0..n {
+        let s = law.without_branches(omega[i] * multiple, power, exponent);
+        (re[i], im[i]) = (s.re, s.im);
+    }
+    below[..n].fill(1.0);
 }
 
 impl Law for Carreau {
@@ -99,6 +115,11 @@ impl Law for Carreau {
     }
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
         stiffness_each(self, ImaginaryPower::new(self.transition), at, out);
+    }
+    fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
+        // temperature puts its factor on damping and relaxation time: S is that at so many times the frequency
+        let (power, omega) = (ImaginaryPower::new(self.transition), at.iter().map(|at| at.omega).collect::<Vec<f64>>());
+        Some(Box::new(move |factor, out| at_multiples(self, (power, simd_elementary::exponential(factor)), &omega, out)))
     }
     fn is_analytic(&self) -> bool {
         true

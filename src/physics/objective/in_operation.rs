@@ -57,8 +57,10 @@ impl InOperation {
         at.at(at.celsius()?)
     }
 
-    /// The law at a speed, found once. Where nothing damps a resonance it is that of the reference, whose response says so.
+    /// The law at a speed, found once; beyond those of the grid it is that at their end. Where nothing damps a resonance it is that of the reference, whose response says so.
     fn law_at(&self, shaft_speed: f64) -> Arc<dyn Law> {
+        let ends = [0, self.grid.len() - 1].map(|i| self.grid.speed_rpm[i] * RAD_PER_S_PER_RPM);
+        let shaft_speed = shaft_speed.clamp(ends[0], ends[1]);
         let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(law) = known().get(&shaft_speed.to_bits()) {
             return law.clone();

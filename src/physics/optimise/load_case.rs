@@ -131,8 +131,13 @@ impl<'a> LoadCase<'a> {
     /// Whether one of them is.
     pub(super) fn counts(&self, limit: &Limit, measure: &Measure, in_service: bool) -> bool {
         let of_here = limit.engine.is_none_or(|engine| self.engine.is_none_or(|own| own.index == engine));
-        let is_other = self.condition != Condition::InOperation || !matches!(measure.over, Over::Temperature | Over::Property(_));
-        of_here && is_other && self.condition.counts(in_service)
+        of_here && self.differs_in(measure) && self.condition.counts(in_service)
+    }
+
+    /// Whether a measure may be another one here than at the reference: not in operation, where it is found of that or does not follow from the motion.
+    #[doc(hidden)]
+    pub fn differs_in(&self, measure: &Measure) -> bool {
+        self.condition != Condition::InOperation || !matches!(measure.over, Over::Temperature | Over::Property(_))
     }
 
     /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.

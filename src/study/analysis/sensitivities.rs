@@ -143,6 +143,7 @@ fn breaks(
         // what has no finite response holds no limit
         load_cases
             .iter()
+            .filter(|case| case.differs_in(measure))
             .any(|case| case.peak_above(&moved, measure, limit, &mut Work::default()).map_or(true, |value| !holds(value / limit)))
     };
     let mut below = 0.0;

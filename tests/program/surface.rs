@@ -1,4 +1,4 @@
-//! Nothing is public that no program uses.
+//! Nothing is public that no program uses; what is public for the tests alone is listed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -44,13 +44,19 @@ fn declared(line: &str) -> Option<(&str, bool)> {
     }
 }
 
-/// Functions and constants are named by the command, the tests or the examples; types are too, or stand in the signature of something public.
+/// Functions and constants are named by the command, another crate of the workspace, the guide or the examples; types are too, or stand in the signature of something public. Those that tests alone name, to hold a law against its source,
+/// stand in `only_tests.txt`.
 #[test]
 fn every_public_name_is_used_outside() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |path: PathBuf| std::fs::read_to_string(path).expect("UTF-8");
     let library: Vec<_> = texts("src").into_iter().filter(|(path, _)| !path.ends_with("src/main.rs")).collect();
-    let mut programs: String = texts("tests").into_iter().chain(texts("studies/examples")).map(|t| t.1).collect();
-    programs += &std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/main.rs")).expect("UTF-8");
-    let used: BTreeSet<&str> = words(&programs).collect();
+    let guide = std::fs::read_dir(root.join("src/guide")).expect("chapters").map(|e| e.expect("a chapter").path());
+    let chapters = guide.filter(|p| p.extension().is_some_and(|e| e == "md")).map(read);
+    let mut programs: String = texts("studies/examples").into_iter().map(|t| t.1).chain(chapters).collect();
+    programs += &read(root.join("src/main.rs"));
+    let tests: String = texts("tests").into_iter().map(|t| t.1).collect();
+    let (used, tested): (BTreeSet<&str>, BTreeSet<&str>) = (words(&programs).collect(), words(&tests).collect());
     // what stands in a public signature or field, or between a public function's name and its body
     let mut signatures = BTreeSet::new();
     for (_, text) in &library {
@@ -69,7 +75,7 @@ fn every_public_name_is_used_outside() {
             }
         }
     }
-    let mut unused = Vec::new();
+    let (mut unused, mut of_tests) = (Vec::new(), Vec::new());
     // what the documentation hides is public for another crate of the workspace alone
     let of_members: BTreeMap<Option<String>, BTreeSet<&str>> = library.iter().fold(BTreeMap::new(), |mut all, (path, text)| {
         all.entry(member(path)).or_insert_with(BTreeSet::new).extend(words(text));
@@ -81,14 +87,23 @@ fn every_public_name_is_used_outside() {
         let mut hidden = false;
         for line in text.lines() {
             if let Some((name, is_type)) = declared(line) {
-                let named = if hidden { elsewhere(name) } else { used.contains(name) };
-                if !(named || is_type && signatures.contains(name)) {
-                    unused.push(format!("{}: {name}", path.display()));
+                let place = || format!("{}: {name}\n", path.strip_prefix(root).expect("in the repository").display());
+                let is_used = elsewhere(name) || !hidden && used.contains(name) || is_type && signatures.contains(name);
+                if !is_used && !hidden && tested.contains(name) {
+                    of_tests.push(place());
+                } else if !is_used {
+                    unused.push(place());
                 }
             }
             hidden = line.trim() == "#[doc(hidden)]" || hidden && line.trim_start().starts_with('#');
         }
     }
     assert!(unused.is_empty(), "{unused:#?}");
+    of_tests.sort();
+    let list = root.join("tests/program/only_tests.txt");
+    if std::env::var_os("HARTOG_WRITE_EXPECTED").is_some() {
+        std::fs::write(&list, of_tests.concat()).expect("written");
+    }
+    assert_eq!(read(list), of_tests.concat(), "public for the tests alone");
     assert!(declared("    pub fn run(&self)") == Some(("run", false)) && declared("pub(crate) fn x()").is_none());
 }

@@ -60,7 +60,7 @@ fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
 }
 
 impl Carreau {
-    /// S at a frequency in one line of instructions, for lanes; the exponent is (n - 1)/a.
+    /// S at a frequency without a branch, for lanes; the exponent is (n - 1)/a.
     #[inline(always)]
     fn without_branches(&self, omega: f64, power: ImaginaryPower, exponent: f64) -> C64 {
         let z = 1.0 + power.branchless(omega * self.relaxation_time);

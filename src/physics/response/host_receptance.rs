@@ -65,7 +65,7 @@ impl Hosts {
 }
 
 impl Rest {
-    /// The same with a hub of inertia J at the host, by its receptance: u0/(1 - omega² J H) and H/(1 - omega² J H); `None` where that is none.
+    /// The same with a hub of inertia J at the host, by its receptance: u0/(1 - omega² J H) and H/(1 - omega² J H); `None` where these are not finite.
     fn with_hub(&self, hub: f64, at: Operating) -> Option<Self> {
         let inertial = hub * at.omega * at.omega;
         let held = 1.0 - inertial * self.receptance;

@@ -40,9 +40,11 @@ fn range(values: impl Iterator<Item = f64> + Clone, margin: f64) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// Room round the axes of a panel, units: at the left and right, above and below.
-const BESIDE: (u32, u32) = (8 + 68, 24);
-const ABOVE: (u32, u32) = (8, 8 + 40);
+/// Room round the axes of a panel, units: round all of it, at its right, and for the numbers at the left and below.
+const MARGIN: u32 = 8;
+const RIGHT: u32 = 24;
+const LEFT: u32 = 68;
+const BELOW: u32 = 40;
 
 /// A range as wide as asked for, about its middle.
 fn widened((low, high): (f64, f64), width: f64) -> (f64, f64) {
@@ -57,7 +59,10 @@ fn ranges(panel: &Panel, (width, height): (f64, f64)) -> [(f64, f64); 2] {
     match panel.scale {
         Scale::Own => [range(x, 0.0), range(y.chain([0.0]), 0.05)],
         Scale::AtLeast(top) => [range(x, 0.0), range(y.chain([0.0, top]), 0.05)],
-        Scale::CutAt(top) => [range(x, 0.0), (range(y.chain([0.0]), 0.05).0.min(0.0).max(-0.05 * top), top)],
+        Scale::CutAt(top) => {
+            let low = y.fold(0.0, f64::min);
+            [range(x, 0.0), (low - 0.05 * (top - low), top)]
+        }
         Scale::Equal => {
             let (x, y) = (range(x, 0.05), range(y, 0.05));
             let unit = ((x.1 - x.0) / width).max((y.1 - y.0) / height);
@@ -66,17 +71,18 @@ fn ranges(panel: &Panel, (width, height): (f64, f64)) -> [(f64, f64); 2] {
     }
 }
 
-fn panel(area: &canvas::Area, panel: &Panel) -> Drawn {
+/// A panel with its legend below.
+pub(super) fn panel(area: &canvas::Area, panel: &Panel) -> Drawn {
     let left = legend::below(area, &entries(panel))?;
     let own = captioned(&left, &panel.title, text(15))?;
     let (width, height) = own.dim_in_pixel();
-    let inside = |all: u32, (before, after): (u32, u32)| f64::from(all.saturating_sub(px(before + after)).max(1));
-    let [(x0, x1), (y0, y1)] = ranges(panel, (inside(width, BESIDE), inside(height, ABOVE)));
+    let inside = |all: u32, room: u32| f64::from(all.saturating_sub(px(room)).max(1));
+    let [(x0, x1), (y0, y1)] = ranges(panel, (inside(width, MARGIN + LEFT + RIGHT), inside(height, 2 * MARGIN + BELOW)));
     let mut chart = ChartBuilder::on(&own)
-        .margin(px(8))
-        .margin_right(px(24))
-        .x_label_area_size(px(40))
-        .y_label_area_size(px(68))
+        .margin(px(MARGIN))
+        .margin_right(px(RIGHT))
+        .x_label_area_size(px(BELOW))
+        .y_label_area_size(px(LEFT))
         .build_cartesian_2d(x0..x1, y0..y1)?;
     canvas::mesh!(chart, panel.x.label, panel.y.label, 9, 6);
     if y0 < 0.0 {

@@ -1,7 +1,10 @@
 //! The worst point, or the one asked for: its shear path with the circle, its path of Dang Van with the limit, and the factors of all criteria.
 
 use super::canvas::{self, COLOURS, Drawn, GREY, Stroke, WIDTH, captioned, fill, line, px, text};
+use super::curves;
 use super::legend::{self, Entry, Mark};
+use crate::analysis::curves::{Axis, Panel, Scale, curve};
+use crate::analysis::stress_figures::circle;
 use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::plane::Scratch;
 use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
@@ -10,7 +13,6 @@ use crate::numerics::elementary::Elementary;
 use crate::units::PA_PER_MPA;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::f64::consts::TAU;
 
 /// Draws the plots of a summary.
 ///
@@ -48,34 +50,18 @@ fn closed(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
 fn shear_path(area: &canvas::Area, point: &Point, v: &Verdict) -> Drawn {
     let Some(plane) = v.plane else { return Ok(()) };
     let mut scratch = Scratch::default();
-    let circle = scratch.circle(&point.history, &plane);
+    let around = scratch.circle(&point.history, &plane);
     let [x, y] = scratch.path();
     let path = closed(x.iter().zip(y).map(|(x, y)| (x / PA_PER_MPA, y / PA_PER_MPA)));
-    let (centre, radius) = (circle.centre.map(|c| c / PA_PER_MPA), (circle.radius / PA_PER_MPA).max(1e-9));
-    // a circle is to look like one: both axes have the same MPa in a unit
-    let (shown, round) = (line(COLOURS[0], 20), line(GREY, 12));
-    let area = legend::below(
-        area,
-        &[Entry::curve("shear over the cycle", Stroke::solid(shown)), Entry::curve("its smallest circle", Stroke::solid(round))],
-    )?;
-    let (width, height) = area.dim_in_pixel();
-    let (width, height) = (f64::from(width - px(76)), f64::from(height - px(74)));
-    let reach = [width, height].map(|side| 1.15 * radius * side / width.min(height));
-    let own = captioned(&area, "shear on the critical plane and its circle", text(14))?;
-    let mut chart = ChartBuilder::on(&own)
-        .margin(px(8))
-        .x_label_area_size(px(40))
-        .y_label_area_size(px(60))
-        .build_cartesian_2d(centre[0] - reach[0]..centre[0] + reach[0], centre[1] - reach[1]..centre[1] + reach[1])?;
-    canvas::mesh!(chart, "along growing phi / MPa", "along growing theta / MPa", 6, 6);
-    let circle = (0..=180).map(|i| {
-        let (sine, cosine) = (TAU * f64::from(i) / 180.0).sine_cosine();
-        (centre[0] + radius * cosine, centre[1] + radius * sine)
-    });
-    chart.draw_series(LineSeries::new(circle, round))?;
-    chart.draw_series(LineSeries::new(path, shown))?;
-    chart.draw_series(std::iter::once(Circle::new((centre[0], centre[1]), px(3), fill(GREY, 1.0))))?;
-    Ok(())
+    let (x, y): (Vec<f64>, Vec<f64>) = path.into_iter().unzip();
+    let panel = Panel {
+        title: "shear on the critical plane and its circle".into(),
+        x: Axis { column: "shear_phi_mpa", label: "along growing phi / MPa" },
+        y: Axis { column: "shear_theta_mpa", label: "along growing theta / MPa" },
+        curves: vec![curve("shear over the cycle", x, y), circle("its smallest circle", around.centre, around.radius)],
+        scale: Scale::Equal,
+    };
+    curves::panel(area, &panel)
 }
 
 fn dang_van(area: &canvas::Area, point: &Point, v: &Verdict, limits: &Limits) -> Drawn {

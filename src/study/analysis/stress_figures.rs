@@ -16,6 +16,16 @@ const ACROSS: Axis = Axis { column: "deviator_other_mpa", label: "second dimensi
 const POINT: Axis = Axis { column: "point", label: "number of the point in the table" };
 const FACTOR: Axis = Axis { column: "safety_factor", label: "safety factor" };
 
+/// A circle of stresses, Pa, as a thin line in MPa.
+#[doc(hidden)]
+pub fn circle(label: &str, centre: [f64; 2], radius: f64) -> Curve {
+    let round = (0..=180).map(|i| {
+        let (sine, cosine) = (TAU * f64::from(i) / 180.0).sine_cosine();
+        ((centre[0] + radius * cosine) / PA_PER_MPA, (centre[1] + radius * sine) / PA_PER_MPA)
+    });
+    Curve { label: label.into(), look: Look::Thin, points: round.collect() }
+}
+
 /// Equivalent stress of von Mises, hydrostatic stress and normal stress on the plane of the largest shear over the cycle, and the path of the deviator in the two of its five dimensions with the largest circle, of the
 /// point shown. `None` without a point.
 #[doc(hidden)]
@@ -34,18 +44,18 @@ pub fn of_point(summary: &Summary) -> Option<Figure> {
     }
     let Pair { dimensions: [a, b], path: [x, y], centre, radius } = largest_pair(history);
     let path = curve(format!("S{} and S{}", a + 1, b + 1), mpa(x), mpa(y));
-    let round = (0..=180).map(|i| {
-        let (sine, cosine) = (TAU * f64::from(i) / 180.0).sine_cosine();
-        ((centre[0] + radius * cosine) / PA_PER_MPA, (centre[1] + radius * sine) / PA_PER_MPA)
-    });
-    let circle = Curve { label: "its smallest circle".into(), look: Look::Thin, points: round.collect() };
     let panel = |title: &str, (x, y), curves: Vec<Curve>, scale: Scale| Panel { title: title.into(), x, y, curves, scale };
     Some(Figure {
         name: "fatigue_history".into(),
         title: format!("stress of point {}", point.name),
         panels: vec![
             panel("over the cycle", (CYCLE, STRESS), over, Scale::Own),
-            panel("deviator, pair of dimensions with the largest circle", (ALONG, ACROSS), vec![path, circle], Scale::Equal),
+            panel(
+                "deviator, pair of dimensions with the largest circle",
+                (ALONG, ACROSS),
+                vec![path, circle("its smallest circle", centre, radius)],
+                Scale::Equal,
+            ),
         ],
     })
 }

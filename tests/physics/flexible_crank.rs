@@ -16,6 +16,10 @@ use std::sync::Arc;
 mod imported;
 #[path = "flexible_crank/independent.rs"]
 mod independent;
+#[path = "flexible_crank/plan.rs"]
+mod plan;
+#[path = "flexible_crank/standing.rs"]
+mod standing;
 #[path = "flexible_crank/webs.rs"]
 mod webs;
 

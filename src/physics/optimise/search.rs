@@ -173,6 +173,10 @@ const APART: f64 = 1e-3;
 /// Points closer than this in every coordinate are of one basin.
 const TOGETHER: f64 = 0.1;
 
+/// Starts that [`lowest_nearby`] goes from, and its evaluations from each.
+const NEARBY: usize = 2;
+const NEARBY_EVALUATIONS: u64 = 60;
+
 /// Runs every start and keeps the best; of level ones the one closest to first-order conditions, in the order of the starts, so that threads change nothing.
 ///
 /// # Errors
@@ -219,6 +223,27 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
     }
     let (outcome, others) = best_of(problem, ends)?;
     Ok(Optimum { design: problem.space.design(&outcome.point), outcome, starts: log, others, stages })
+}
+
+/// The lowest value that a short search without derivatives finds from the two lowest of the starts that are apart, or that of a start that is `low_enough`: far fewer evaluations than [`optimise`].
+/// Enormous where no start has a finite response.
+pub fn lowest_nearby(problem: &Problem, starts: &[(String, Vec<f64>)], low_enough: f64) -> (f64, Work) {
+    let mut work = Work::default();
+    let mut seed = |start: &(String, Vec<f64>)| {
+        let value = problem.cost(&start.1, &mut work);
+        Searched { point: start.1.clone(), seed: value, value, stages: Stages::default() }
+    };
+    let all: Vec<Searched> = starts.iter().map(&mut seed).collect();
+    let mut apart = distinct(&all);
+    apart.sort_by(|i, j| all[*i].value.total_cmp(&all[*j].value));
+    apart.truncate(NEARBY);
+    let mut lowest = apart.first().map_or(f64::INFINITY, |i| all[*i].value);
+    for i in apart {
+        if lowest > low_enough {
+            lowest = gradient_free::search(problem, &all[i].point, NEARBY_EVALUATIONS, &mut work).1.min(lowest);
+        }
+    }
+    (lowest, work)
 }
 
 /// The best of some ends, and the other local optima among them.

@@ -1,6 +1,6 @@
 //! Which compound, which oil, which step of a dimension: each is searched for itself, but those that cannot be best.
 //!
-//! What cannot be best is known from a search without limits, which costs less: no design of it is better than that finds, as far as searches find the best; so what is then above the best that holds all limits by
+//! What cannot be best is known from a short search without limits: no design of it is better than that finds, as far as searches find the best; so what is then above the best that holds all limits by
 //! more than 2 % is left out. The lowest of them comes first.
 
 use super::evaluation_plan::EvaluationPlan;
@@ -89,7 +89,7 @@ struct Of<'a> {
 ///
 /// # Errors
 /// [`RunError`] where none of the starts of one has a finite response.
-fn chosen(study: &Study, of: &Of) -> Result<Option<(OptimiseSpec, Vec<CompoundResult>)>, RunError> {
+fn chosen(study: &Study, of: &Of, work: &mut Work) -> Result<Option<(OptimiseSpec, Vec<CompoundResult>)>, RunError> {
     let Some(spec) = study.optimise.as_ref().filter(|s| asked(s) > 0) else { return Ok(None) };
     of.progress.stage("compounds and oils", asked(spec));
     let searches = Searches::new(study, (of.finders, of.load_cases), of.modes, of.wanted, of.progress);
@@ -101,7 +101,7 @@ fn chosen(study: &Study, of: &Of) -> Result<Option<(OptimiseSpec, Vec<CompoundRe
             continue;
         }
         let (best, found) =
-            best_of(&searches, spec, (kind, &list)).map_err(|error| RunError { what: format!("optimum_{}", kind.name), error })?;
+            best_of(&searches, spec, (kind, &list), work).map_err(|error| RunError { what: format!("optimum_{}", kind.name), error })?;
         let own = with(&absorber, kind, &list[best]);
         absorber = AbsorberSpec { types: absorber.types.clone(), ..own };
         rows.extend(found);
@@ -114,6 +114,7 @@ fn best_of(
     searches: &Searches,
     spec: &OptimiseSpec,
     (kind, list): (&'static Declaration, &[Alternative]),
+    work: &mut Work,
 ) -> Result<(usize, Vec<CompoundResult>), ResponseError> {
     let absorber = &spec.absorbers[0];
     let space = |alternative: &Alternative| {
@@ -124,12 +125,13 @@ fn best_of(
     };
     let spaces: Vec<(Vec<NamedPoint>, Space)> = list.par_iter().map(space).collect();
     let step = || searches.progress.step();
-    let search = |i: usize| {
+    let search = |i: usize, work: &mut Work| {
         let problem = searches.problem(spaces[i].1.clone(), 0);
         let silent = || {};
-        let found = search::optimise(&problem, &spaces[i].0, search::Finish::Distinct, &silent);
+        let found = search::optimise(&problem, &spaces[i].0, search::Finish::Distinct, &silent)?;
+        *work += found.stages.all();
         step();
-        found
+        Ok::<_, ResponseError>(found)
     };
     let mut rows: Vec<CompoundResult> = list
         .iter()
@@ -144,28 +146,36 @@ fn best_of(
         })
         .collect();
     let put = |row: &mut CompoundResult, found: &Optimum| (row.value, row.holds) = (found.value(), found.outcome.rows.hold());
-    let least = |i: &usize| -> Result<(usize, f64), ResponseError> {
-        let relaxed = Problem { limits: &[], ..searches.problem(spaces[*i].1.clone(), 0) };
-        Ok((*i, search::optimise(&relaxed, &spaces[*i].0, search::Finish::Distinct, &|| {})?.value()))
-    };
-    let all: Vec<usize> = (0..list.len()).collect();
-    let has_limits = !searches.limits.is_empty();
-    let mut bounded: Vec<(usize, f64)> = if has_limits && !spec.search_all {
-        all.par_iter().map(least).collect::<Result<_, ResponseError>>()?
-    } else {
-        all.iter().map(|i| (*i, 0.0)).collect()
-    };
-    bounded.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let mut best = bounded[0].0;
     let is_better = |a: &CompoundResult, b: &CompoundResult| (!a.holds, a.value) < (!b.holds, b.value);
+    let leaves_out = !searches.limits.is_empty() && !spec.search_all;
+    let relaxed = |i: usize, low_enough: f64| {
+        let relaxed = Problem { limits: &[], ..searches.problem(spaces[i].1.clone(), 0) };
+        search::lowest_nearby(&relaxed, &spaces[i].0, low_enough)
+    };
+    // the lowest of all starts comes first: what others have to be as low as
+    let bounds = |of: &[usize], low_enough: f64, work: &mut Work| {
+        let found: Vec<(f64, Work)> = of.par_iter().map(|i| relaxed(*i, low_enough)).collect();
+        found.iter().for_each(|f| *work += f.1);
+        let mut bounded: Vec<(usize, f64)> = of.iter().copied().zip(found.iter().map(|f| f.0)).collect();
+        bounded.sort_by(|a, b| a.1.total_cmp(&b.1));
+        bounded
+    };
+    let mut others: Vec<usize> = (0..list.len()).collect();
+    if leaves_out {
+        others = bounds(&others, f64::INFINITY, work).into_iter().map(|b| b.0).collect();
+    }
+    let mut best = others.remove(0);
+    put(&mut rows[best], &search(best, work)?);
+    let low_enough = if rows[best].holds { rows[best].value * (1.0 + CERTAIN) } else { 0.0 };
+    let bounded = if leaves_out { bounds(&others, low_enough, work) } else { others.into_iter().map(|i| (i, 0.0)).collect() };
     for (i, least) in bounded {
         if rows[best].holds && least > rows[best].value * (1.0 + CERTAIN) {
             (rows[i].value, rows[i].left_out) = (least, true);
             step();
             continue;
         }
-        put(&mut rows[i], &search(i)?);
-        if i == best || is_better(&rows[i], &rows[best]) {
+        put(&mut rows[i], &search(i, work)?);
+        if is_better(&rows[i], &rows[best]) {
             best = i;
         }
     }
@@ -181,7 +191,8 @@ pub(super) fn narrowed<'a>(
     clock: &mut Clock,
 ) -> Result<(Option<Study>, Vec<CompoundResult>), RunError> {
     let of = Of { finders, load_cases, modes, wanted, progress };
-    let Some((spec, rows)) = chosen(study, &of)? else { return Ok((None, Vec::new())) };
-    clock.lap("compounds", Work::default());
+    let mut work = Work::default();
+    let Some((spec, rows)) = chosen(study, &of, &mut work)? else { return Ok((None, Vec::new())) };
+    clock.lap("compounds", work);
     Ok((Some(Study { optimise: Some(spec), ..study.clone() }), rows))
 }

@@ -1,11 +1,12 @@
 //! A flexible crank of its own: every mass a cloud of points whose motion to second order gives inertia, gyroscopic and centrifugal terms by Lagrange's equations; every beam an integral of its strain energy over the exact field of
 //! its four end motions; all in one dense matrix, rings included. Nothing of the program's own beams, bodies or assembly is used, but the same engineering model: Timoshenko's beams, web factors, strings for the tension of webs.
 
+use super::plan::{Plan, rod_mass};
 use hartog::absorber::{Mounted, Operating};
 use hartog::crankshaft::Crank;
-use hartog::crankshaft::flexible::{Balance, BearingNodes, FlexibleSpec};
+use hartog::crankshaft::flexible::{BearingNodes, FlexibleSpec};
+use hartog::engine::Source;
 use hartog::engine::cycle::{crank_fixed, pin_angles, throw_loads};
-use hartog::engine::{Geometry, Source};
 use hartog::input::Study;
 use nalgebra::{Complex, DMatrix, DVector, Matrix3, Matrix3xX, Matrix4, Vector3};
 use std::f64::consts::{PI, TAU};
@@ -25,6 +26,21 @@ pub struct Model {
     pins: Vec<usize>,
     directions: Vec<[Vector3<f64>; 2]>,
     study: Study,
+    /// What the parts are made of, for other equations of motion.
+    pub points: Vec<Mass>,
+    pub polars: Vec<(usize, f64)>,
+    pub strings: DMatrix<f64>,
+    pub bearings: Vec<[usize; 3]>,
+}
+
+/// A point of mass beside a place of the crank that moves by u = N_u q and turns by phi = N_r q of some unknowns.
+pub struct Mass {
+    pub mass: f64,
+    pub place: Vector3<f64>,
+    pub beside: Vector3<f64>,
+    pub rows: Vec<usize>,
+    pub moved: Matrix3xX<f64>,
+    pub turned: Matrix3xX<f64>,
 }
 
 /// A section: stiffness EA, GJ, EI along y and z, kappa GA, mass per length, squares of y and z per mass.
@@ -34,15 +50,15 @@ pub struct Section {
     pub gj: f64,
     pub ei: [f64; 2],
     pub kga: f64,
-    mass: f64,
-    squares: [f64; 2],
+    pub mass: f64,
+    pub squares: [f64; 2],
 }
 
 fn cross(a: Vector3<f64>) -> Matrix3<f64> {
     a.cross_matrix()
 }
 
-fn round(crank: &Crank, d: f64, density: f64, stiffer: f64) -> Section {
+pub fn round(crank: &Crank, d: f64, density: f64, stiffer: f64) -> Section {
     let (e, g) = (crank.young_modulus * stiffer, crank.young_modulus * stiffer / 2.6);
     let (a, i) = (PI * d * d / 4.0, PI * d.powi(4) / 64.0);
     // Cowper's factor of a solid round, nu 0.3
@@ -106,6 +122,7 @@ impl Model {
         Self::add(&mut self.mass, rows, &(a.transpose() * &a * m));
         Self::add(&mut self.gyro, rows, &(a.transpose() * e * &a * (2.0 * m)));
         Self::add(&mut self.turning, rows, &(nr.transpose() * second * nr - a.transpose() * p * &a * m));
+        self.points.push(Mass { mass: m, place, beside: s, rows: rows.to_vec(), moved: nu.clone(), turned: nr.clone() });
     }
 
     /// A body of points: `squares` are its integrals of squares about its centre along three directions.
@@ -161,7 +178,9 @@ impl Model {
         }
         for d in [y, z] {
             let apart = unit(1, false, d) - unit(0, false, d);
-            Self::add(&mut self.turning, &rows, &(apart.transpose() * &apart * (tension / l)));
+            let pulled = apart.transpose() * &apart * (tension / l);
+            Self::add(&mut self.turning, &rows, &pulled);
+            Self::add(&mut self.strings, &rows, &pulled);
         }
     }
 
@@ -187,6 +206,10 @@ impl Model {
             pins: plan.pins.clone(),
             directions: plan.directions.clone(),
             study: study.clone(),
+            points: Vec::new(),
+            polars: plan.polars.clone(),
+            strings: zero(),
+            bearings: plan.bearings.clone(),
         };
         for (first, (section, tension)) in plan.beams.iter().enumerate() {
             model.beam(first, *section, (spec.loss_factor, *tension));
@@ -259,7 +282,13 @@ impl Model {
             all[(ring, hub)] -= s;
             all[(ring, ring)] += s - omega * omega * law.ring_inertia();
         }
-        let mut force = DVector::from_element(n + rings, C::new(0.0, 0.0));
+        let force = self.on_pins(order, speed_rpm).resize_vertically(n + rings, C::new(0.0, 0.0));
+        all.lu().solve(&force).expect("damped")
+    }
+
+    /// Forces of the rods on the unknowns of all nodes.
+    pub fn on_pins(&self, order: f64, speed_rpm: f64) -> DVector<C> {
+        let mut force = DVector::from_element(self.mass.nrows(), C::new(0.0, 0.0));
         let [radial, tangential] = self.forces(order, speed_rpm);
         for (t, pin) in self.pins.iter().enumerate() {
             let turn = C::from_polar(1.0, -order * self.study.engine.layout.firing_deg[t].to_radians());
@@ -267,133 +296,17 @@ impl Model {
                 force[6 * pin + i] += turn * (radial * self.directions[t][0][i] + tangential * self.directions[t][1][i]);
             }
         }
-        all.lu().solve(&force).expect("damped")
-    }
-}
-
-/// On the pin: the rotating part of the rod and half of what oscillates.
-fn rod_mass(geometry: &Geometry) -> f64 {
-    geometry.rod_rotating_fraction() * geometry.rod_mass + 0.5 * geometry.oscillating_mass()
-}
-
-/// A body: node, mass, centre, directions, integrals of squares.
-type Placed = (usize, f64, Vector3<f64>, [Vector3<f64>; 3], [f64; 3]);
-
-/// Where everything is.
-struct Plan {
-    places: Vec<Vector3<f64>>,
-    beams: Vec<(Section, f64)>,
-    bodies: Vec<Placed>,
-    polars: Vec<(usize, f64)>,
-    bearings: Vec<[usize; 3]>,
-    pins: Vec<usize>,
-    directions: Vec<[Vector3<f64>; 2]>,
-}
-
-impl Plan {
-    fn to(&mut self, place: Vector3<f64>, section: Section, tension: f64) -> usize {
-        self.places.push(place);
-        self.beams.push((section, tension));
-        self.places.len() - 1
+        force
     }
 
-    /// A throw behind the middle of a bearing at z; returns that of the next.
-    fn throw(&mut self, (crank, spec, rod): (&Crank, &FlexibleSpec, f64), (t, angle, b): (usize, f64, &Balance), mut z: f64) -> f64 {
-        let on_axis = |z: f64| Vector3::new(0.0, 0.0, z);
-        let (lj, w, r) = (crank.journal_lengths[0], crank.web_thickness, crank.crank_radius);
-        assert!(b.counterweight == 0.0, "without counterweights");
-        let density = spec.beams().expect("beams").density * b.density;
-        let outwards = Vector3::new(angle.cos(), angle.sin(), 0.0);
-        self.directions.push([outwards, Vector3::new(-angle.sin(), angle.cos(), 0.0)]);
-        let (journal, pin) = (round(crank, crank.journal_diameter, density, 1.0), round(crank, crank.pin_diameter, density, 1.0));
-        let (stub_j, stub_p) = (round(crank, crank.journal_diameter, 0.0, 2.0), round(crank, crank.pin_diameter, 0.0, 2.0));
-        let section = web_of(crank, spec, density);
-        let radius = 0.5 * crank.web_breadth;
-        let half_disc = density * w * PI * radius * radius / 2.0;
-        let centre = 4.0 * radius / (3.0 * PI);
-        let ends = half_disc * (r + centre) + 0.5 * (pin.mass * crank.pin_length + rod) * r;
-        // mean of x² over the inner and outer half: r²/12 and 7 r²/12
-        let tension = |twelfths: f64| ends + section.mass * r * r * (1.0 - twelfths / 12.0) / 2.0;
-        let before = self.places.len() - 1;
-        self.bearings.push([before - 1, before, before + 1]);
-        let at = |x: f64, z: f64| outwards * x + on_axis(z);
-        self.to(on_axis(z + lj / 3.0), journal, 0.0);
-        z += 0.5 * lj;
-        self.to(on_axis(z), journal, 0.0);
-        let a = self.to(on_axis(z + 0.5 * w), stub_j, 0.0);
-        self.to(at(0.5 * r, z + 0.5 * w), section, tension(1.0));
-        let b1 = self.to(at(r, z + 0.5 * w), section, tension(7.0));
-        z += w;
-        self.to(at(r, z), stub_p, 0.0);
-        let middle = self.to(at(r, z + 0.5 * crank.pin_length), pin, 0.0);
-        z += crank.pin_length;
-        self.to(at(r, z), pin, 0.0);
-        let c = self.to(at(r, z + 0.5 * w), stub_p, 0.0);
-        self.to(at(0.5 * r, z + 0.5 * w), section, tension(7.0));
-        let d = self.to(on_axis(z + 0.5 * w), section, tension(1.0));
-        z += w;
-        self.to(on_axis(z), stub_j, 0.0);
-        self.to(on_axis(z + lj / 6.0), journal, 0.0);
-        z += 0.5 * lj;
-        self.to(on_axis(z), journal, 0.0);
-        self.pins.push(middle);
-        let tangential = self.directions[t][1];
-        for (node, sign) in [(a, -1.0), (b1, 1.0), (c, 1.0), (d, -1.0)] {
-            let squares =
-                [half_disc * (radius * radius / 4.0 - centre * centre), half_disc * radius * radius / 4.0, half_disc * w * w / 12.0];
-            self.bodies.push((node, half_disc, outwards * (sign * centre), [outwards, tangential, Vector3::z()], squares));
+    /// Stiffness, its part that dissipates, and damping of what turns with the crank: all but the bearings.
+    pub fn of_the_crank(&self) -> [DMatrix<f64>; 3] {
+        let own = self.study.flexible.as_ref().expect("flexible").spec.bearing.point(0, 0, 3);
+        let [mut stiffness, loss, mut damping] = [&self.stiffness, &self.loss, &self.damping].map(Clone::clone);
+        for i in self.bearings.iter().flatten().flat_map(|n| [6 * n, 6 * n + 1]) {
+            stiffness[(i, i)] -= own.stiffness;
+            damping[(i, i)] -= own.damping;
         }
-        self.bodies.push((middle, rod, Vector3::zeros(), [Vector3::x(), Vector3::y(), Vector3::z()], [0.0; 3]));
-        let lacks = (b.station - b.steel - b.on_pin).max(0.0);
-        self.polars.extend([(a, 0.5 * lacks), (d, 0.5 * lacks)]);
-        z
-    }
-
-    fn new(study: &Study, crank: &Crank, spec: &FlexibleSpec, rod: f64) -> Self {
-        let balance = &study.flexible.as_ref().expect("flexible").assembled.balance;
-        let beams = spec.beams().expect("beams");
-        let (front, rear) = (beams.front.as_ref().expect("a hub"), beams.rear.as_ref().expect("a flywheel"));
-        let on_axis = |z: f64| Vector3::new(0.0, 0.0, z);
-        let lj = crank.journal_lengths[0];
-        let start = -0.5 * lj - front.shaft.iter().map(|s| s.length).sum::<f64>();
-        let mut plan = Self {
-            places: vec![on_axis(start)],
-            beams: Vec::new(),
-            bodies: Vec::new(),
-            polars: Vec::new(),
-            bearings: Vec::new(),
-            pins: Vec::new(),
-            directions: Vec::new(),
-        };
-        let end = |plan: &mut Self, step: &hartog::drivetrain::throw_stiffness::Step| {
-            let (z, pieces) = (plan.places[plan.places.len() - 1].z, (step.length / 0.05).ceil());
-            let section = round(crank, step.diameter, spec.beams().expect("beams").density, 1.0);
-            (1..=pieces as usize).for_each(|k| {
-                plan.to(on_axis(z + step.length * k as f64 / pieces), section, 0.0);
-            });
-            section.mass * step.length * 2.0 * section.squares[0]
-        };
-        let own: f64 = front.shaft.iter().rev().map(|s| end(&mut plan, s)).sum();
-        let journal = round(crank, crank.journal_diameter, spec.beams().expect("beams").density, 1.0);
-        let half_journal = journal.mass * 0.5 * lj * 2.0 * journal.squares[0];
-        let stations = &study.chain.stations;
-        let disc = |mass: f64, diametral: f64, polar: f64| (mass, [polar / 2.0, polar / 2.0, diametral - polar / 2.0]);
-        let (m, squares) = disc(front.mass, front.diametral_inertia, stations[0].inertia - own - half_journal);
-        plan.bodies.push((0, m, Vector3::zeros(), [Vector3::x(), Vector3::y(), Vector3::z()], squares));
-        plan.to(on_axis(-lj / 3.0), journal, 0.0);
-        plan.to(on_axis(0.0), journal, 0.0);
-        let mut z = 0.0;
-        for (t, (angle, b)) in pin_angles(&study.engine).into_iter().zip(balance).enumerate() {
-            z = plan.throw((crank, spec, rod), (t, angle, b), z);
-        }
-        let before = plan.places.len() - 1;
-        plan.bearings.push([before - 1, before, before + 1]);
-        plan.to(on_axis(z + lj / 3.0), journal, 0.0);
-        plan.to(on_axis(z + 0.5 * lj), journal, 0.0);
-        let own: f64 = rear.shaft.iter().map(|s| end(&mut plan, s)).sum();
-        let (m, squares) = disc(rear.mass, rear.diametral_inertia, stations[stations.len() - 1].inertia - own - half_journal);
-        let last = plan.places.len() - 1;
-        plan.bodies.push((last, m, Vector3::zeros(), [Vector3::x(), Vector3::y(), Vector3::z()], squares));
-        plan
+        [stiffness, loss, damping]
     }
 }

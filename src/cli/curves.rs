@@ -32,7 +32,7 @@ pub struct Arguments {
     /// Design that is shown; may be given several times [default: all].
     #[arg(long, value_name = "NAME")]
     pub design: Vec<String>,
-    /// Throw that is shown where there is a curve a throw; may be given several times [default: all].
+    /// Throw that is shown where there is a curve a throw, and whose loads are written where the crank is flexible; may be given several times [default: all, without their loads].
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..))]
     pub throw: Vec<u16>,
     /// Orders that the torque of shafts shows.

@@ -144,7 +144,7 @@ pub fn write_figure(figure: &Figure, folder: &Folder) -> Result<(), WriteError> 
 #[doc(hidden)]
 pub fn write_curves(curves: &Curves, folder: &Folder) -> Result<(), WriteError> {
     curves.figures.iter().try_for_each(|figure| write_figure(figure, folder))?;
-    curves.unknowns.iter().try_for_each(|histories| csv::curves::unknowns(histories, folder))?;
+    curves.histories.iter().try_for_each(|histories| csv::curves::histories(histories, folder))?;
     csv::curves::holzer(&curves.holzer, folder)
 }
 

@@ -96,11 +96,15 @@ impl Names {
     #[doc(hidden)]
     pub fn of_curves(study: &Study) -> Self {
         let shafts: Vec<String> = study.designs.iter().map(|d| format!("shaft_torque_{}", d.name)).collect();
-        let unknowns: Vec<String> = study.designs.iter().map(|d| format!("unknowns_{}_#", d.name)).chain(["unknowns_#".into()]).collect();
         let flexible = study.on_flexible();
-        let by_matrices = flexible.is_some_and(|f| f.spec.beams().is_none());
+        let (by_matrices, of_beams) = flexible.map_or((false, false), |f| (f.spec.beams().is_none(), f.spec.beams().is_some()));
+        let throws = study.crank.as_ref().map_or(0, crate::crankshaft::Crank::throws);
+        let designs = || std::iter::once(String::new()).chain(study.designs.iter().map(|d| format!("{}_", d.name)));
+        let unknowns: Vec<String> = designs().map(|d| format!("unknowns_{d}#")).collect();
+        let loads: Vec<String> = (1..=throws).flat_map(|t| designs().map(move |d| format!("throw_{t}_loads_{d}#"))).collect();
         Self::of("curves", &[PAGE])
-            .both_if(flexible.is_some_and(|f| f.spec.beams().is_some()), &["crank_modes_free"])
+            .both_if(of_beams, &["crank_modes_free", "journal_moments_#"])
+            .tables_if(of_beams, &loads.iter().map(String::as_str).collect::<Vec<_>>())
             .both_if(flexible.is_some(), &["crank_modes", "orbits_#", "bearing_forces_#", "web_moments_#"])
             .tables_if(by_matrices, &unknowns.iter().map(String::as_str).collect::<Vec<_>>())
             .tables(&["holzer"])

@@ -18,6 +18,8 @@ mod imported;
 mod independent;
 #[path = "flexible_crank/plan.rs"]
 mod plan;
+#[path = "flexible_crank/rounds.rs"]
+mod rounds;
 #[path = "flexible_crank/standing.rs"]
 mod standing;
 #[path = "flexible_crank/webs.rs"]

@@ -2,14 +2,14 @@
 
 use super::batch::Block;
 use super::factored::Factored;
-use super::known_points::KnownPoints;
+use super::known_points::{AtSpeed, KnownPoints, Wanted};
 use super::lane::{LANES, Lane};
 use super::output::Output;
 use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::condensed::Hub;
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Mounted, Operating};
-use crate::drivetrain::System;
+use crate::drivetrain::{FlexibleCrank, System};
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::DMatrix;
@@ -89,7 +89,7 @@ impl<'a> Direct<'a> {
             let mut solver = Factored::new(self.system);
             let wanted = solver.wanted(design, quantities);
             for speed in speeds {
-                let known = self.known.at((self.system, crank), &wanted, *speed);
+                let known = self.of_crank(crank, &wanted, *speed);
                 let known = known.map_err(|order| ResponseError::unbounded(self.system.excitation.orders[order], *speed))?;
                 for (order, known) in known.chunks(wanted.len().max(1)).enumerate() {
                     let put = |i: usize, y| out[i].push(y);
@@ -100,6 +100,11 @@ impl<'a> Direct<'a> {
         }
         self.points(design, quantities, speeds, work, |i, _, y| out[i].push(y))?;
         Ok(out)
+    }
+
+    /// Answers of a flexible crank without absorbers at a speed; the index of the order that has none at an undamped resonance.
+    pub(super) fn of_crank(&self, crank: &FlexibleCrank, wanted: &Wanted, speed_rpm: f64) -> Result<AtSpeed, usize> {
+        self.known.at((self.system, crank), wanted, speed_rpm)
     }
 
     /// Phasors of quantities at speeds, given to `put` with the index of the quantity and of the point (orders of a speed together, ascending).

@@ -5,6 +5,7 @@
 //! that n/(d + H n) is taken as one inverse. Of several absorbers on stations each is put on what the ones before it leave.
 
 use super::factored::Factored;
+use super::known_points::Wanted;
 use super::{Direct, Quantity, Work};
 use crate::absorber::{Absorber, Host, Law, Mounted, Operating};
 use crate::drivetrain::Chain;
@@ -187,6 +188,28 @@ impl Point {
         let is_finite = numbers.chain(point.outputs.iter().flat_map(|o| std::iter::once(&o.own).chain(&o.by))).all(Taylor::is_finite);
         is_finite.then_some(point)
     }
+
+    /// Of a flexible crank whose answers are known.
+    fn of_crank(
+        (solver, chain): (&Factored, &Chain),
+        (stations, quantities): (&[usize], &[Quantity]),
+        (wanted, known): (&Wanted, &[C64]),
+    ) -> Option<Self> {
+        let answers = 2 * chain.len() - 1;
+        let own = wanted.under_load(known, answers);
+        let units: Vec<Vec<C64>> = stations.iter().map(|s| wanted.under_unit(*s, known, answers)).collect();
+        let trusted = |y: C64| Taylor { rest: TRUSTED * y.norm(), ..Taylor::constant(y) };
+        let output = |q: &Quantity| match q.difference(chain) {
+            None => Output { own: Taylor::constant(ZERO), by: vec![Taylor::constant(ZERO); stations.len()] },
+            Some(_) => Output { own: trusted(solver.output(*q, &own)), by: units.iter().map(|x| trusted(solver.output(*q, x))).collect() },
+        };
+        let is_finite = own.iter().chain(units.iter().flatten()).all(|y| y.is_finite());
+        is_finite.then(|| Self {
+            angles: stations.iter().map(|s| trusted(own[*s])).collect(),
+            receptances: stations.iter().map(|s| units.iter().map(|x| trusted(x[*s])).collect()).collect(),
+            outputs: quantities.iter().map(output).collect(),
+        })
+    }
 }
 
 impl BaseAtSpeed {
@@ -194,7 +217,18 @@ impl BaseAtSpeed {
     pub fn new(direct: &Direct, stations: &[usize], quantities: &[Quantity], speed_rpm: f64) -> Option<Self> {
         let (system, mut solver) = (direct.system, Factored::new(direct.system));
         let at = system.excitation.orders.iter();
-        let at = at.map(|order| Operating { omega: order.omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM }).collect();
+        let at: Vec<Operating> =
+            at.map(|order| Operating { omega: order.omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM }).collect();
+        if let Some(crank) = system.flexible.as_ref().filter(|_| !stations.is_empty()) {
+            let wanted = solver.wanted_at(stations.to_vec(), quantities);
+            let known = direct.of_crank(crank, &wanted, speed_rpm).ok()?;
+            let of_order = |(at, known): (&Operating, &[C64])| {
+                solver.bare(*at);
+                Point::of_crank((&solver, &system.chain), (stations, quantities), (&wanted, known))
+            };
+            let points = at.iter().zip(known.chunks(wanted.len().max(1))).map(of_order).collect::<Option<_>>()?;
+            return Some(Self { at, points });
+        }
         let point = |order| Point::new(&mut solver, &system.chain, (stations, quantities), (order, speed_rpm));
         Some(Self { at, points: (0..system.orders()).map(point).collect::<Option<_>>()? })
     }

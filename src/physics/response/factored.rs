@@ -95,8 +95,12 @@ impl<'a> Factored<'a> {
 
     /// What of a flexible crank quantities are made of.
     pub(super) fn wanted(&self, design: &[Mounted], quantities: &[Quantity]) -> Wanted {
+        self.wanted_at((0..design.len()).map(|i| station_of(design, i)).collect(), quantities)
+    }
+
+    /// The same with absorbers on some stations.
+    pub(super) fn wanted_at(&self, mut stations: Vec<usize>, quantities: &[Quantity]) -> Wanted {
         let chain = &self.system.chain;
-        let mut stations: Vec<usize> = (0..design.len()).map(|i| station_of(design, i)).collect();
         stations.sort_unstable();
         stations.dedup();
         let rows_of = |quantity: &Quantity| match quantity {
@@ -272,6 +276,11 @@ impl<'a> Factored<'a> {
             put(i, self.finite(y, at)?);
         }
         Ok(())
+    }
+
+    /// Makes outputs those of answers without absorbers.
+    pub(super) fn bare(&mut self, at: Operating) {
+        self.sums(&[], at);
     }
 
     /// The same of a flexible crank whose answers at an order without absorbers are known.

@@ -47,12 +47,12 @@ pub fn holzer(rows: &[HolzerRow], folder: &Folder) -> Result<(), WriteError> {
     table.save(folder, "holzer.csv")
 }
 
-/// `<name>.csv`: a row a crank angle, a column an unknown of the matrices, in their units.
+/// `<name>.csv`: a row a crank angle, a column an unknown of the matrices, in their units, or a load of a throw, N and N m.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
-pub fn unknowns(histories: &Histories, folder: &Folder) -> Result<(), WriteError> {
-    let header: Vec<&str> = std::iter::once("crank_deg").chain(histories.unknowns.iter().map(String::as_str)).collect();
+pub fn histories(histories: &Histories, folder: &Folder) -> Result<(), WriteError> {
+    let header: Vec<&str> = std::iter::once("crank_deg").chain(histories.columns.iter().map(String::as_str)).collect();
     let mut table = Table::new(&header);
     for (deg, values) in &histories.rows {
         table.row(std::iter::once(*deg).chain(values.iter().copied()).map(number));

@@ -1,5 +1,7 @@
 //! `order_<design>.html`, `.pdf` and `.json`: a damper on one page of A4, as it is ordered.
 
+mod agreed;
+mod block;
 mod canvas;
 mod page;
 mod section;

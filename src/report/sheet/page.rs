@@ -1,5 +1,7 @@
 //! The page: what stands on it, and where.
 
+use super::agreed::agreed;
+use super::block::{Block, row};
 use super::canvas::Canvas;
 use super::section;
 use crate::absorber::Sheared;
@@ -8,7 +10,9 @@ use crate::input::Study;
 use crate::objective::{Condition, holds};
 use crate::optimise::Scatter;
 use crate::text::allocation::borne;
+use crate::text::limits::worth;
 use crate::text::order_sheets::{accepted, holding, megapascal, outside, sentence};
+use crate::text::prices;
 use crate::text::scattered;
 use crate::text::table::significant;
 use crate::units::of_key;
@@ -24,6 +28,8 @@ const EDGE: f64 = 45.0;
 const LINE: f64 = 14.0;
 /// Limits that have room.
 const MOST_LIMITS: usize = 12;
+/// Width of a letter of a table, with room to spare.
+const LETTER: f64 = 5.2;
 /// Letters of a sentence in a line of the whole width.
 const LETTERS: usize = 118;
 
@@ -38,12 +44,6 @@ fn wrapped(words: &str, letters: usize) -> Vec<String> {
         }
     }
     lines
-}
-
-/// A table of the page: its title and its rows.
-struct Block {
-    title: &'static str,
-    rows: Vec<(String, String)>,
 }
 
 /// The page of a damper.
@@ -73,7 +73,7 @@ pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     }
     y = right.max(y + 345.0) + 4.0;
     let mut columns = [y, y];
-    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(sheet), made(study, results, (sheet, sheared))];
+    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(sheet), made(study, results, (sheet, sheared)), agreed(study, sheet)];
     for (i, block) in blocks.iter().filter(|b| !b.rows.is_empty()).enumerate() {
         let column = i % 2;
         let x = EDGE + column as f64 * (half + 10.0);
@@ -81,7 +81,14 @@ pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     }
     y = columns[0].max(columns[1]);
     if let Some(d) = design {
-        y = put_block(&mut page, (EDGE, y), WIDTH - 2.0 * EDGE, &limits(study, d));
+        y = put_block(&mut page, (EDGE, y), WIDTH - 2.0 * EDGE, &limits(study, results, d));
+    }
+    let optimum = results.optima.iter().find(|o| o.design.name == sheet.design);
+    if let Some(costs) = optimum.and_then(|o| prices::line(study, results, o)) {
+        for line in wrapped(costs.trim_start(), LETTERS) {
+            page.text((EDGE, y), 9.5, &line, false);
+            y += LINE;
+        }
     }
     page.text((EDGE, y + 10.0), 11.0, "Assumptions", true);
     y += 24.0;
@@ -105,8 +112,16 @@ fn put_block(page: &mut Canvas, (x, mut y): (f64, f64), width: f64, block: &Bloc
     y += 12.0;
     for (name, value) in &block.rows {
         page.text((x, y), 9.5, name, false);
-        page.anchored((x + width, y), 9.5, value, (false, "end"));
-        y += LINE - 1.0;
+        // what has no room beside its name stands below it
+        let letters = (width / LETTER) as usize;
+        let beside = name.chars().count() + value.chars().count() < letters;
+        if !beside {
+            y += LINE - 1.0;
+        }
+        for line in if beside { vec![value.clone()] } else { wrapped(value, letters) } {
+            page.anchored((x + width, y), 9.5, &line, (false, "end"));
+            y += LINE - 1.0;
+        }
     }
     y + 4.0
 }
@@ -120,10 +135,6 @@ fn title_block(page: &mut Canvas) {
         page.rectangle((x, top, each, 40.0), "#ffffff");
         page.text((x + 4.0, top + 11.0), 8.0, name, false);
     }
-}
-
-fn row(name: &str, value: String) -> (String, String) {
-    (name.to_owned(), value)
 }
 
 fn dimensions(sheet: &Sheet) -> Block {
@@ -230,8 +241,9 @@ fn made(study: &Study, results: &Results, (sheet, sheared): (&Sheet, Sheared)) -
     Block { title: "As made", rows }
 }
 
-fn limits(study: &Study, d: &DesignResult) -> Block {
-    let one = |(limit, ratio): (&crate::input::LimitSpec, &f64)| {
+fn limits(study: &Study, results: &Results, d: &DesignResult) -> Block {
+    let optimum = results.optima.iter().find(|o| o.design.name == d.name && o.conflict.is_none());
+    let one = |(i, (limit, ratio)): (usize, (&crate::input::LimitSpec, &f64))| {
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
         let used = match (ratio.is_finite(), limit.of.measure.within.factors.is_empty()) {
             (false, _) => format!("{verdict}: no value"),
@@ -241,9 +253,10 @@ fn limits(study: &Study, d: &DesignResult) -> Block {
                 format!("{verdict}: {}{}, {:.1} % used", significant(value, 4), limit.of.unit.suffix(), 100.0 * ratio)
             }
         };
-        row(&limit.words, used)
+        let worth = optimum.and_then(|o| worth(limit, o.prices[i])).map_or_else(String::new, |worth| format!("; {worth}"));
+        row(&limit.words, used + &worth)
     };
-    let mut rows: Vec<_> = study.limits.iter().zip(&d.limits).map(one).collect();
+    let mut rows: Vec<_> = study.limits.iter().zip(&d.limits).enumerate().map(one).collect();
     if rows.len() > MOST_LIMITS {
         let more = rows.split_off(MOST_LIMITS).len();
         rows.push(row(&format!("and {more} more, in limits.csv"), String::new()));

@@ -28,17 +28,18 @@ fn worst_in(study: &Study, design: &DesignResult, limit: usize, ratio: f64) -> O
     reached.next().map(|c| c.condition).or_else(|| others.next().copied().filter(|_| others.next().is_none()))
 }
 
+/// What a limit that is used up is worth; `None` where it is not.
+pub(crate) fn worth(limit: &LimitSpec, price: f64) -> Option<String> {
+    let way = if limit.of.unit.is_inverse() { "less" } else { "more" };
+    (price > WORTH_SAYING).then(|| format!("one per cent {way} of it would bring {} %", significant(price, 2)))
+}
+
 /// A line for each limit, then those that cannot hold together.
 pub(super) fn limits(study: &Study, results: &Results, o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
     for (i, ((limit, ratio), price)) in study.limits.iter().zip(&o.design.limits).zip(&o.prices).enumerate() {
         let as_drawn = if o.robust { " as drawn" } else { "" };
-        let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
-            let way = if limit.of.unit.is_inverse() { "less" } else { "more" };
-            format!("; one per cent {way} of it would bring {} %", significant(*price, 2))
-        } else {
-            String::new()
-        };
+        let costs = worth(limit, *price).filter(|_| o.conflict.is_none()).map_or_else(String::new, |worth| format!("; {worth}"));
         let beside = beside_a_jump(o, limit, *ratio).unwrap_or_default();
         lines.push(line((study, results), &o.design, i, (as_drawn, &format!("{costs}{beside}"))));
     }

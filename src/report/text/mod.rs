@@ -26,7 +26,7 @@ mod materials;
 mod model;
 pub(crate) mod order_sheets;
 mod plausibility;
-mod prices;
+pub(crate) mod prices;
 mod proof;
 pub mod publications;
 mod robust;

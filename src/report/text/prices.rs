@@ -37,7 +37,7 @@ fn clause(study: &Study, p: &Price, own_compound: Option<&str>) -> String {
 }
 
 /// What is asked of an optimum and by how much each of it makes the objective worse, the dearest first, in a line; `None` where the study does not ask for that.
-pub(super) fn line(study: &Study, results: &Results, o: &OptimumResult) -> Option<String> {
+pub(crate) fn line(study: &Study, results: &Results, o: &OptimumResult) -> Option<String> {
     let mut own: Vec<&Price> = results.prices.iter().filter(|p| p.design == o.design.name).collect();
     let cost = |p: &Price| p.cost().unwrap_or(f64::INFINITY);
     own.sort_by(|a, b| cost(b).total_cmp(&cost(a)));

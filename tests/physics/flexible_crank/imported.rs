@@ -206,14 +206,14 @@ fn histories_of_unknowns_hold_the_response() {
     // shapes of modes show what nodes tell: all 29 move across, the middles of seven journals do not rotate
     let shapes = found.figures.iter().find(|f| f.name == "crank_modes").expect("a figure");
     assert_eq!(shapes.panels[0].curves.iter().map(|c| c.points.len()).collect::<Vec<_>>(), [29, 29, 29, 22]);
-    let all = found.unknowns;
+    let all = found.histories;
     assert_eq!(all.iter().map(|h| h.name.as_str()).collect::<Vec<_>>(), ["unknowns_2003", "unknowns_tuned_optimal_2003"]);
     let results = study.run().expect("results");
     let grid = Grid::new(&study.speeds_rpm, &[]);
     let direct = Direct::new(&results.system, &grid);
     let twist = Quantity::Twist { from: 0, to: Some(study.chain.len() - 1) };
     for (histories, design) in all.iter().zip(&designs(&study)) {
-        let place = |name: &str| histories.unknowns.iter().position(|u| u == name).expect("an unknown");
+        let place = |name: &str| histories.columns.iter().position(|u| u == name).expect("an unknown");
         let (hub, flywheel) = (place("1.6"), place("92.6"));
         let wanted: Vec<Complex<f64>> =
             (0..results.system.orders()).map(|n| direct.phasor(design, twist, (n, speed), &mut Work::default()).expect("damped")).collect();

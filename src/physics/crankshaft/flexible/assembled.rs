@@ -1,5 +1,6 @@
 //! A crank put together, whatever it is made of.
 
+use super::round_section::RoundSection;
 use super::web_section::WebSection;
 use crate::drivetrain::{Chain, Station};
 use crate::rotor::shaft::{Answer, Dissipation, Shaft};
@@ -39,6 +40,8 @@ pub struct Assembled {
     pub webs: Vec<[usize; 2]>,
     /// Both webs cut in their middle, of each throw; none as of `webs`.
     pub sections: Vec<[WebSection; 2]>,
+    /// Journals and pin cut at the faces of the webs, of each throw; none as of `webs`.
+    pub rounds: Vec<[RoundSection; 4]>,
     /// Outwards and in the direction of rotation, of each throw.
     pub directions: Vec<[Vector3<f64>; 2]>,
     /// Points of all main journals.

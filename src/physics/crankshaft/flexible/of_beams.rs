@@ -1,6 +1,7 @@
 //! The whole crank put together from beams and bodies.
 
 use super::assembled::{Assembled, Balance, Carried, dissipation};
+use super::round_section::round_sections;
 use super::row::{Join, Material, Row};
 use super::spec::{BeamCrank, BearingNodes, End, FlexibleSpec};
 use super::throw::{self, Nodes, Turned, plate};
@@ -283,6 +284,7 @@ fn finished(
     Ok(Assembled {
         shafts: shafts.collect(),
         sections: built.throws.iter().zip(&directions).map(|(t, d)| sections(&built.row, t.webs, d)).collect(),
+        rounds: built.throws.iter().zip(&directions).map(|(t, d)| round_sections(&built.row, t.webs, d)).collect(),
         rods: built.throws.iter().map(|t| t.rods.clone()).collect(),
         webs: built.throws.iter().map(|t| t.webs).collect(),
         bearings: present.iter().map(|b| built.bearings[*b].clone()).collect(),

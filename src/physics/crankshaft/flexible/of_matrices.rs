@@ -103,6 +103,7 @@ pub(super) fn assemble(
         rods,
         webs: Vec::new(),
         sections: Vec::new(),
+        rounds: Vec::new(),
         directions,
         bearings: present(crank).map(|b| journals[b].clone()).collect(),
         journals,

@@ -2,6 +2,7 @@
 //!
 //! The orders of the excitation are those of the vibrating crank with its absorbers. What lies above them, and the mean, is quasi-static: the same crank on its bearings, turning at that speed, its flywheel held against the torque.
 
+use super::round_section::RoundSection;
 use super::web_section::WebSection;
 use super::{Assembled, WebLoad, mean_load};
 use crate::crankshaft::bending::OTHER_STRIDE;
@@ -67,6 +68,17 @@ impl<'a> WebLoads<'a> {
     pub fn new(assembled: &'a Assembled, engine: &'a Engine, (crank, excitation): (&'a FlexibleCrank, &'a Excitation)) -> Option<Self> {
         let of_section = |s: &WebSection| s.answers.clone().map(|answer| (answer, s.dissipation)).to_vec();
         Self::asking(assembled, assembled.sections.iter().flatten().flat_map(of_section).collect(), (engine, crank, excitation))
+    }
+
+    /// Of journals and pins of a crank of beams, cut at the faces of their webs: six loads a section, four sections a throw, in the place of those of webs. `None` as of [`Self::new`].
+    #[doc(hidden)]
+    pub fn of_rounds(
+        assembled: &'a Assembled,
+        engine: &'a Engine,
+        (crank, excitation): (&'a FlexibleCrank, &'a Excitation),
+    ) -> Option<Self> {
+        let of_section = |s: &RoundSection| s.answers.clone().map(|answer| (answer, s.dissipation)).to_vec();
+        Self::asking(assembled, assembled.rounds.iter().flatten().flat_map(of_section).collect(), (engine, crank, excitation))
     }
 
     /// Of the unknowns of a crank by matrices, as their files have them, a column each in place of the loads of webs; `None` where the torque comes from a table, and of a crank of beams.

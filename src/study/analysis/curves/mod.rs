@@ -35,8 +35,8 @@ pub struct Curves {
     pub figures: Vec<Figure>,
     /// Holzer's table of the first modes.
     pub holzer: Vec<HolzerRow>,
-    /// Motions of a crank by matrices.
-    pub unknowns: Vec<Histories>,
+    /// Motions of a crank by matrices; loads of the throws that are asked for.
+    pub histories: Vec<Histories>,
 }
 
 /// Speeds at which forces are shown where none is asked for: that of the largest mean torque and the highest.
@@ -77,7 +77,7 @@ pub fn curves_of(study: &Study, shown: &Shown, progress: &dyn Progress) -> Resul
     let speeds = if speeds_rpm.is_empty() { load_cases(&study, &system) } else { speeds_rpm.clone() };
     progress.stage("curves", speeds.len() + study.designs.len());
     let mut figures: Vec<Figure> = cylinder::pressure(&study, speeds_rpm).into_iter().collect();
-    let mut unknowns = Vec::new();
+    let mut histories = Vec::new();
     for speed in &speeds {
         figures.extend(cylinder::forces(&study, *speed));
         figures.extend(cylinder::torque(&study, shown, *speed));
@@ -91,8 +91,9 @@ pub fn curves_of(study: &Study, shown: &Shown, progress: &dyn Progress) -> Resul
         figures.extend(torsion::shafts(&study, &system, *speed).map_err(of_shafts)?);
         figures.extend(torsion::cases(&study, &system, *speed).map_err(of_shafts)?);
         figures.extend(journals::journals(&study, &system, *speed).map_err(of_crank)?);
-        figures.extend(webs::webs(&study, &system, *speed).map_err(of_crank)?);
-        unknowns.extend(unknowns::histories(&study, &system, *speed).map_err(of_crank)?);
+        figures.extend(webs::moments(&study, &system, (shown, *speed)).map_err(of_crank)?);
+        histories.extend(unknowns::unknowns(&study, &system, *speed).map_err(of_crank)?);
+        histories.extend(unknowns::throws(&study, &system, shown, *speed).map_err(of_crank)?);
         progress.step();
     }
     figures.extend(mechanism::over_speed(&study));
@@ -116,5 +117,5 @@ pub fn curves_of(study: &Study, shown: &Shown, progress: &dyn Progress) -> Resul
     }
     figures.push(absorber_chart::absorber_chart());
     figures.retain(|f| !f.panels.is_empty());
-    Ok(Curves { figures, holzer: modes::holzer(&study), unknowns })
+    Ok(Curves { figures, holzer: modes::holzer(&study), histories })
 }

@@ -85,19 +85,6 @@ impl<'a> Direct<'a> {
         work: &mut Work,
     ) -> Result<Vec<Vec<C64>>, ResponseError> {
         let mut out = vec![Vec::with_capacity(speeds.len() * self.system.orders()); quantities.len()];
-        if let Some(crank) = &self.system.flexible {
-            let mut solver = Factored::new(self.system);
-            let wanted = solver.wanted(design, quantities);
-            for speed in speeds {
-                let known = self.of_crank(crank, &wanted, *speed);
-                let known = known.map_err(|order| ResponseError::unbounded(self.system.excitation.orders[order], *speed))?;
-                for (order, known) in known.chunks(wanted.len().max(1)).enumerate() {
-                    let put = |i: usize, y| out[i].push(y);
-                    solver.phasors_of_known((design, quantities), (order, *speed), (&wanted, known), work, put)?;
-                }
-            }
-            return Ok(out);
-        }
         self.points(design, quantities, speeds, work, |i, _, y| out[i].push(y))?;
         Ok(out)
     }
@@ -114,9 +101,22 @@ impl<'a> Direct<'a> {
         quantities: &[Quantity],
         speeds: &[f64],
         work: &mut Work,
-        put: impl FnMut(usize, usize, C64),
+        mut put: impl FnMut(usize, usize, C64),
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
+        if let Some(crank) = &self.system.flexible {
+            let mut solver = Factored::new(self.system);
+            let wanted = solver.wanted(design, quantities);
+            for (i, speed) in speeds.iter().enumerate() {
+                let known = self.of_crank(crank, &wanted, *speed);
+                let known = known.map_err(|order| ResponseError::unbounded(self.system.excitation.orders[order], *speed))?;
+                for (order, known) in known.chunks(wanted.len().max(1)).enumerate() {
+                    let put = |quantity: usize, y| put(quantity, i * orders + order, y);
+                    solver.phasors_of_known((design, quantities), (order, *speed), (&wanted, known), work, put)?;
+                }
+            }
+            return Ok(());
+        }
         let places = speeds.iter().flat_map(|speed| (0..orders).map(move |order| (order, *speed)));
         self.places(design, quantities, (speeds.len() * orders, places), work, put)
     }

@@ -41,6 +41,16 @@ impl Wanted {
         self.stations.iter().position(|s| *s == station).map_or_else(Vec::new, |place| self.whole(1 + place, known, answers))
     }
 
+    /// Answers that are asked for under a unit torque on one of the stations; none of another station.
+    pub(super) fn column<'k>(&self, station: usize, known: &'k [C64]) -> &'k [C64] {
+        self.stations.iter().position(|s| *s == station).map_or(&[], |place| &known[(1 + place) * self.rows.len()..][..self.rows.len()])
+    }
+
+    /// The angle of one of the stations, of some answers that are asked for; zero of another station.
+    pub(super) fn answer(&self, station: usize, of: &[C64]) -> C64 {
+        self.rows.iter().position(|r| *r == station).and_then(|place| of.get(place)).copied().unwrap_or(ZERO)
+    }
+
     fn whole(&self, load: usize, known: &[C64], answers: usize) -> Vec<C64> {
         let mut all = vec![ZERO; answers];
         self.rows.iter().zip(&known[load * self.rows.len()..]).for_each(|(row, y)| all[*row] = *y);

@@ -124,7 +124,8 @@ fn limits_of_every_law() {
         // springs, and dampers that grow with the ring, by 10⁸: the law is all but a rigid link
         let mut values = typical(&s, declaration, 0.05, 1.0);
         for (v, p) in values.iter_mut().zip(declaration.parameters).skip(1) {
-            let grows = p.extensive || ["relaxed_modulus_mpa", "viscosity_pa_s"].contains(&p.key);
+            let grows =
+                p.extensive || ["relaxed_modulus_mpa", "viscosity_pa_s", "youngs_modulus_gpa", "shear_modulus_gpa"].contains(&p.key);
             *v *= if grows { 1e8 } else { 1.0 };
         }
         let stiff = build(declaration, &values, Host::Station(0));
@@ -392,5 +393,5 @@ fn tables_compute_laws_at_a_few_frequencies() {
             same(&fast, &exact, 1e-11, &format!("{} times {factor}", declaration.name));
         }
     }
-    assert_eq!(analytic, 3 * 9, "fractional Kelvin and Zener, Maxwell, Carreau, spring pack, and the four by dimensions");
+    assert_eq!(analytic, 3 * 10, "fractional Kelvin and Zener, Maxwell, Carreau, spring pack, and five by dimensions");
 }

@@ -6,6 +6,7 @@ mod assignments;
 mod ceilings;
 mod chains;
 mod construction;
+mod construction_of_springs;
 mod dual_mass;
 mod enclosing;
 mod enclosures;

@@ -120,12 +120,12 @@ fn block((n, m): (usize, usize), r: [f64; 2], z: [f64; 2], along_radius: bool) -
 #[test]
 fn sleeves_and_discs() {
     let p = parts(&SLEEVE, &[0.076, 250.0, 18.0, 9.0, 0.9, 7200.0, 0.8, 500.0, 4e-14, 0.25]);
-    let [coarse, fine] = [16, 32].map(|n| block((n, 3), [0.5 * p.bore, p.ring[0]], [0.0, p.sheared_length], true));
+    let [coarse, fine] = [16, 32].map(|n| block((n, 3), [0.5 * p.bore, p.ring[0]], [0.0, p.element_length], true));
     assert_close(fine, p.factor, 1e-3, 0.0, "sleeve");
     assert_close(fine + (fine - coarse) / 3.0, p.factor, 1e-6, 0.0, "sleeve, extrapolated");
 
     let p = parts(&DISC, &[0.05, 240.0, 40.0, 12.0, 2.0, 7850.0, 0.8, 500.0, 4e-14, 0.25]);
-    let one = block((8, 4), p.ring, [0.0, p.sheared_length], false);
+    let one = block((8, 4), p.ring, [0.0, p.element_length], false);
     assert_close(2.0 * one, p.factor, 1e-9, 0.0, "disc, two faces");
 }
 

@@ -35,3 +35,49 @@ fn tolerances_that_limits_bear() {
         assert!(told.starts_with(&row[key]) && (own / exact - 1.0).abs() < 1e-3, "{told}: {row:?}");
     }
 }
+
+const OF_STEEL: &str = "[[constraint]]\nspring_stress = { absorber = 1, max_mpa = 2000 }\n[[design]]\nname = \"leaves\"\n[[design.absorber]]\non.station = \"pulley\"\ntype.leaf_springs = { ring_inertia_kg_m2 = 0.076, outer_diameter_mm = 270, ring_wall_mm = 20, springs = 24, leaf_length_mm = 50, leaf_thickness_mm = 3, leaf_over_width = 0.8, ring_density_kg_m3 = 7850, youngs_modulus_gpa = 206, damping_factor = 0.3, dynamic_ratio = 1.4, reference_frequency_hz = 150 }\n[[design]]\nname = \"coils\"\n[[design.absorber]]\non.station = \"pulley\"\ntype.coil_springs = { ring_inertia_kg_m2 = 0.076, outer_diameter_mm = 300, ring_wall_mm = 15, springs = 6, wire_diameter_mm = 12, spring_index = 4, active_coils = 3, ring_density_kg_m3 = 7850, shear_modulus_gpa = 79, damping_n_m_s_per_rad = 15 }\n[[design]]\nname = \"masses\"\n[[design.absorber]]\non.station = \"pulley\"\ntype.pendulum_masses = { ring_inertia_kg_m2 = 0.03, outer_diameter_mm = 270, mass_height_mm = 50, masses = 4, filled_share = 0.8, path_radius_mm = 10, ring_density_kg_m3 = 7850, damping_n_m_s_per_rad = 0.5 }\n";
+
+/// Springs and pendulum masses have a page each, with what its type has and nothing of what it has not, and its record has the same numbers: stress of springs, swing of masses, and neither strain nor rubber.
+#[test]
+fn pages_of_springs_and_pendulums() {
+    let folder = tempfile::tempdir().expect("folder");
+    let path = variant(folder.path(), "order_i6", &[]);
+    let text = fs::read_to_string(&path).expect("study");
+    let head = &text[..text.find("[[constraint]]").expect("limits")];
+    let short = head.replace("from = 600", "from = 1800").replace("step = 20", "step = 200").replace("order_limit = 12", "order_limit = 6");
+    let short =
+        short.replace("conditions = [\"firing\", \"cold\", \"hot\"]\n", "").replace("temperatures = { cold_c = -20, hot_c = 90 }\n", "");
+    fs::write(&path, format!("{short}{OF_STEEL}")).expect("written");
+    let out = folder.path().join("out");
+    hartog().arg("run").arg(&path).arg("--out").arg(&out).assert().code(0);
+    let read = |name: &str| {
+        let page = fs::read_to_string(out.join(format!("order_{name}.html"))).expect("a page");
+        let record = fs::read_to_string(out.join(format!("order_{name}.json"))).expect("a record");
+        // its words without where they stand
+        let words: Vec<&str> = page.split('<').filter_map(|t| t.split_once('>')).map(|t| t.1.trim()).filter(|t| !t.is_empty()).collect();
+        (words.join(" "), serde_json::from_str::<serde_json::Value>(&record).expect("JSON"))
+    };
+    let holds = |page: &str, words: &[&str]| words.iter().for_each(|w| assert!(page.contains(w), "{w}"));
+    let springs = ["Static stiffness", "Ring on its held hub", "Largest stress of the springs", "Stress and heat"];
+    let (page, record) = read("leaves");
+    holds(&page, &springs);
+    holds(&page, &["24 leaves 50.00 x 3.00 x ", "Width of a leaf", "Leaves together", "clamped in the hub", "stress of the springs "]);
+    assert!(record["order"]["stress"].as_f64().is_some_and(|s| s > 1e6) && record["leaf_width_mm"].as_f64().is_some_and(|b| b > 1.0));
+    let (page, record) = read("coils");
+    holds(&page, &springs);
+    holds(&page, &["6 coil springs of 12.0 mm wire, 60.00 mm outside, 3 active coils", "Springs together", "factor of curvature"]);
+    assert!((record["coil_outer_diameter_mm"].as_f64().expect("a size") - 60.0).abs() < 1e-9);
+    let (page, record) = read("masses");
+    holds(&page, &["4 masses of ", "Each mass", "Tuned to the order", "Largest arc to each side", "Radius that its corners come to"]);
+    let swing = &record["order"]["swing"];
+    let of = |key: &str| swing[key].as_f64().unwrap_or_else(|| panic!("{key}"));
+    assert!((of("tuning_order").powi(2) - (of("centre_radius") / 0.010 - 1.0)).abs() < 1e-9);
+    assert!((of("arc") - of("angle") * 0.010).abs() < 1e-12 && of("reach") > 0.135, "{swing}");
+    for name in ["leaves", "coils", "masses"] {
+        let (page, record) = read(name);
+        assert!(!page.contains("shear strain") && !page.contains("Compound") && record["order"].get("strain").is_none(), "{name}");
+        assert_eq!(record["order"].get("stress").is_some(), name != "masses");
+        assert_eq!(record.get("sheared_volume_l"), None);
+    }
+}

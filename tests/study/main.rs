@@ -43,6 +43,7 @@ mod robust;
 mod several_rings;
 mod sized;
 mod sizing;
+mod springs_drawn;
 mod strain;
 #[path = "../support.rs"]
 mod support;

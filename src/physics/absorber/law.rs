@@ -79,9 +79,17 @@ pub trait Law: Debug + Send + Sync {
         None
     }
 
-    /// Largest shear strain per twist, 1/rad: of its dimensions, or of the shape that its material gives; `None` where neither is known.
+    /// Largest shear strain per twist, 1/rad: of its dimensions, or of the shape that its material gives; `None` where neither is known, or nothing is sheared.
     fn strain_per_twist(&self) -> Option<f64> {
-        self.parts().map(|p| p.strain_per_twist).or_else(|| Some(self.material()?.geometry?.strain_per_twist()))
+        match self.parts() {
+            Some(parts) => Some(parts.strain_per_twist).filter(|s| *s > 0.0),
+            None => Some(self.material()?.geometry?.strain_per_twist()),
+        }
+    }
+
+    /// Largest stress of its springs per twist, Pa/rad; `None` where no dimensions tell it.
+    fn stress_per_twist(&self) -> Option<f64> {
+        self.parts().map(|p| p.stress_per_twist).filter(|s| *s > 0.0)
     }
 
     /// Its equations at large twist; nothing where S is all there is to the law.

@@ -28,7 +28,7 @@ pub struct SpringPack {
     pub reference_frequency: f64,
 }
 
-const DAMPING_FACTOR: Parameter = Parameter {
+pub(super) const DAMPING_FACTOR: Parameter = Parameter {
     dissipative: true,
     ..of_material(
         ("damping_factor", "kappa", "Damping factor of the maker at the reference frequency."),
@@ -38,7 +38,7 @@ const DAMPING_FACTOR: Parameter = Parameter {
     )
 };
 
-const DYNAMIC_RATIO: Parameter = of_material(
+pub(super) const DYNAMIC_RATIO: Parameter = of_material(
     ("dynamic_ratio", "ratio", "Dynamic over static stiffness at the reference frequency."),
     Range::Above(1.0),
     |_| (1.001, 100.0),
@@ -46,7 +46,7 @@ const DYNAMIC_RATIO: Parameter = of_material(
 );
 
 /// Where the oil is thicker, the figures are reached at a lower frequency.
-const REFERENCE_FREQUENCY: Parameter = Parameter {
+pub(super) const REFERENCE_FREQUENCY: Parameter = Parameter {
     follows: Follows::Inverse,
     ..of_material(
         ("reference_frequency_hz", "at/Hz", "Frequency that the figures of the maker are given at."),

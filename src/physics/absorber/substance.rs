@@ -2,7 +2,7 @@
 
 use super::kraus::Kraus;
 use super::life::StrainLife;
-use super::parts::Sheared;
+use super::parts::Medium;
 use super::temperature::TemperatureLaw;
 
 /// A compound of rubber, or a grade of silicone oil.
@@ -13,7 +13,7 @@ pub struct Substance {
     /// What it is, in words.
     pub about: String,
     /// Which of the two.
-    pub sheared: Sheared,
+    pub medium: Medium,
     /// Hardness, Shore A, of rubber; kinematic viscosity at 25 °C, mm²/s, of oil.
     pub grade: f64,
     /// Values of the parameters of its law by their keys, at the reference of its temperature and strain.

@@ -1,7 +1,7 @@
 //! The types a study may name.
 
 use super::carreau::CARREAU;
-use super::construction::{DISC, HOUSING, SLEEVE, WEDGE};
+use super::construction::{COIL_SPRINGS, DISC, HOUSING, LEAF_SPRINGS, PENDULUM_MASSES, SLEEVE, WEDGE};
 use super::fractional_kelvin::FRACTIONAL_KELVIN;
 use super::fractional_zener::FRACTIONAL_ZENER;
 use super::hardening::HARDENING;
@@ -17,7 +17,7 @@ use super::undamped::UNDAMPED;
 use super::viscous::VISCOUS;
 
 /// All of them, in the order of lists and messages.
-pub static TYPES: [&Declaration; 19] = [
+pub static TYPES: [&Declaration; 22] = [
     &TUNED,
     &VISCOUS,
     &UNDAMPED,
@@ -37,6 +37,9 @@ pub static TYPES: [&Declaration; 19] = [
     &DISC,
     &WEDGE,
     &HOUSING,
+    &LEAF_SPRINGS,
+    &COIL_SPRINGS,
+    &PENDULUM_MASSES,
 ];
 
 /// Types that are given only: searches are of small twists, where these are other types.

@@ -1,5 +1,6 @@
 //! Numbers with their derivatives by a few variables (forward differentiation): exact to rounding, whatever formula they go through.
 
+use super::elementary::Elementary;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// A value and its derivatives by N variables.
@@ -42,6 +43,13 @@ impl<const N: usize> Dual<N> {
     #[must_use]
     pub fn powi(self, n: i32) -> Self {
         self.through(self.value.powi(n), f64::from(n) * self.value.powi(n - 1))
+    }
+
+    /// The sine.
+    #[must_use]
+    pub(crate) fn sine(self) -> Self {
+        let (sine, cosine) = self.value.sine_cosine();
+        self.through(sine, cosine)
     }
 }
 

@@ -135,7 +135,7 @@ impl PeakFinder<'_> {
 
     fn has_ceiling(&self, measure: &Measure) -> bool {
         match measure.over {
-            Over::Synthesis | Over::Orders | Over::Order(_) | Over::Statistic(_) | Over::Power | Over::Strain => true,
+            Over::Synthesis | Over::Orders | Over::Order(_) | Over::Statistic(_) | Over::Power | Over::Strain | Over::SpringStress => true,
             // the share is linear in the square of the speed, a factor in the speed
             Over::Margin(criterion) => {
                 measure.within.factors.is_empty() && self.margin.is_some_and(|margin| !margin.is_multiaxial(criterion))
@@ -313,7 +313,10 @@ impl Search<'_> {
             }
             Over::Margin(criterion) => self.used(ends, (criterion, q), sum, target),
             over => {
-                let by = if over == Over::Strain { per_twist(self.design, self.quantities[q]).unwrap_or(0.0) } else { 1.0 };
+                let by = match over {
+                    Over::Strain | Over::SpringStress => per_twist(self.design, self.quantities[q], over).unwrap_or(0.0),
+                    _ => 1.0,
+                };
                 // the magnitudes of the orders are a bound that needs no extremes
                 let rough = at_ends(&|_, y| (bound(y) + sum) * by);
                 if rough <= target { rough } else { at_ends(&|end, _| (self.extremes(end, q).half_peak_to_peak + sum) * by) }

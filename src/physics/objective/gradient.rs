@@ -56,7 +56,7 @@ impl PeakFinder<'_> {
                 list.iter_mut().flatten().for_each(|g| *g *= peak.weight);
                 list
             }
-            Over::Strain => self.strain_gradients((design, absorbers), measure, peak, work)?,
+            Over::Strain | Over::SpringStress => self.strain_gradients((design, absorbers), measure, peak, work)?,
             Over::Orders | Over::Order(_) => each(absorbers, |index| self.order_gradient((design, index), peak, work))?,
             Over::Statistic(statistic) => self.statistic_gradients((design, absorbers), statistic, peak, work)?,
             Over::Temperature => each(absorbers, |index| self.temperature_gradient((design, index), measure, peak, work))?,

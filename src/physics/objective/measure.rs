@@ -32,6 +32,8 @@ pub enum Over {
     Damage,
     /// Largest shear strain in the absorbers whose ring twists are the quantities, each by its own dimensions: half peak-to-peak of all orders together.
     Strain,
+    /// Largest stress of springs in the same absorbers, Pa, in the same way.
+    SpringStress,
     /// What the design has at no speed.
     Property(Property),
 }
@@ -53,7 +55,9 @@ impl Over {
             Self::Property(_) | Self::Damage => (String::new(), String::new()),
             Self::Mean | Self::MeanPower => ("mean over the duty of ".into(), "mean_".into()),
             Self::AtDuty(_) => ("mean over the duty of ".into(), "peak_mean_".into()),
-            Self::Synthesis | Self::Margin(_) | Self::Power | Self::Temperature | Self::Strain => ("peak ".into(), "peak_".into()),
+            Self::Synthesis | Self::Margin(_) | Self::Power | Self::Temperature | Self::Strain | Self::SpringStress => {
+                ("peak ".into(), "peak_".into())
+            }
         }
     }
 }
@@ -67,7 +71,7 @@ pub enum Property {
     RingInertia,
     /// The same with their hubs.
     TotalInertia,
-    /// Mass of their rings, housings and of what is sheared together, kg: of those that are given by their dimensions.
+    /// Mass of their rings, housings, springs and of what is sheared together, kg: of those that are given by their dimensions.
     Mass,
     /// Volume of the cylinders that they fill, m³.
     Volume,
@@ -93,7 +97,7 @@ pub enum Property {
 pub struct Price {
     /// Whatever its size.
     pub fixed: f64,
-    /// Per kg of the ring.
+    /// Per kg of the ring, of springs and of pendulum masses.
     pub ring: f64,
     /// Per kg of the housing.
     pub housing: f64,

@@ -191,7 +191,7 @@ impl<'a> PeakFinder<'a> {
             Over::Property(property) => return Ok(self.property(design, measure, property).into_iter().collect()),
             Over::Mean | Over::MeanPower => return Ok(self.mean(design, measure, work)?.into_iter().collect()),
             Over::Damage => return Ok(self.damage(design, measure, work)?.into_iter().collect()),
-            Over::Strain => return self.strains(design, measure, asked, shared, work),
+            Over::Strain | Over::SpringStress => return self.strains(design, measure, asked, shared, work),
             Over::AtDuty(point) => return self.at_duty(design, measure, (point, asked.keep), work),
             _ => {}
         }
@@ -232,7 +232,7 @@ impl<'a> PeakFinder<'a> {
                 parts.iter().try_for_each(&mut search_part)?;
             }
             Over::Temperature => parts.iter().try_for_each(|(_, speeds)| self.temperatures(design, measure, speeds, &mut found, work))?,
-            Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Strain | Over::Property(_) => {}
+            Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Strain | Over::SpringStress | Over::Property(_) => {}
         }
         let peaks = found.kept();
         if peaks.is_empty() && hint > LargestPeaks::new(asked).best {

@@ -29,14 +29,14 @@ fn loss_factor(absorber: &Absorber) -> Option<f64> {
 /// Mass of a damper by its dimensions, kg.
 #[doc(hidden)]
 pub fn mass(law: &dyn Law, parts: &Parts<f64>) -> f64 {
-    parts.ring_mass + parts.hub_mass + sheared(law, parts).0
+    parts.ring_mass + parts.hub_mass + element(law, parts).0
 }
 
-/// Mass of what is sheared, kg, and what a kg of it costs.
-fn sheared(law: &dyn Law, parts: &Parts<f64>) -> (f64, f64) {
+/// Mass of what is sheared or of the springs, kg, and what a kg of it costs beside the ring, where a table says so.
+fn element(law: &dyn Law, parts: &Parts<f64>) -> (f64, Option<f64>) {
     let named = law.material().and_then(|m| m.substance.as_ref());
-    let density = named.map_or_else(|| shape(law.declaration()).map_or(0.0, |s| s.sheared.density()), |s| s.density);
-    (density * parts.sheared_volume, named.map_or(0.0, |s| s.price))
+    let density = named.map_or_else(|| shape(law.declaration()).map_or(0.0, |s| s.medium.density()), |s| s.density);
+    (density * parts.element_volume, named.map(|s| s.price))
 }
 
 fn volume(parts: &Parts<f64>) -> f64 {
@@ -44,7 +44,9 @@ fn volume(parts: &Parts<f64>) -> f64 {
 }
 
 fn cost(law: &dyn Law, parts: &Parts<f64>, price: Price) -> f64 {
-    let (mass, per_kg) = sheared(law, parts);
+    let (mass, named) = element(law, parts);
+    let is_spring = shape(law.declaration()).is_some_and(|s| s.medium.is_spring());
+    let per_kg = named.unwrap_or(if is_spring { price.ring } else { 0.0 });
     price.fixed + price.ring * parts.ring_mass + price.housing * parts.hub_mass + price.diameter * parts.outer_diameter + per_kg * mass
 }
 

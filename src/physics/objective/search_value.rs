@@ -77,7 +77,7 @@ impl<'a> PeakFinder<'a> {
                 let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
                 Ok(peak.weight * y.norm())
             }
-            Over::Strain => self.strain_at_peak(design, (measure, peak), work),
+            Over::Strain | Over::SpringStress => self.strain_at_peak(design, (measure, peak), work),
             Over::Statistic(statistic) => Ok(peak.weight * self.statistic_at((design, peak.quantity), statistic, peak.speed_rpm, work)?.0),
             _ => Ok(0.0),
         }
@@ -97,7 +97,7 @@ impl<'a> PeakFinder<'a> {
             Over::Synthesis | Over::Margin(_) | Over::Orders | Over::Order(_) | Over::Statistic(_) => {
                 Ok(Some(self.at_least(design, (measure, peak), work)?))
             }
-            Over::Strain => self.strain_at_peak(design, (measure, peak), work).map(Some),
+            Over::Strain | Over::SpringStress => self.strain_at_peak(design, (measure, peak), work).map(Some),
             Over::Power => Ok(Some(self.powers_at(design, measure, peak.speed_rpm, work)?.iter().sum::<f64>() * peak.weight)),
             _ => Ok(None),
         }

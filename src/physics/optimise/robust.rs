@@ -8,7 +8,7 @@ use super::scatter::{HARDNESS, Scatter, modulus_of_hardness};
 use super::search::{self, Finish, Optimum, Recorder};
 use super::{LoadCase, Problem, minimax};
 use crate::absorber::construction::shape;
-use crate::absorber::{Declaration, Deviation, Mounted, Sheared, Substance};
+use crate::absorber::{Declaration, Deviation, Medium, Mounted, Substance};
 use crate::numerics::elementary::Elementary;
 use crate::numerics::maximise::maximise;
 use crate::objective::{Limit, Measure};
@@ -94,17 +94,17 @@ impl Tolerances {
         let edges_of = |(i, t): (usize, &Option<(&'static Declaration, Option<&Substance>)>)| -> Vec<(usize, Vec<usize>, By)> {
             let place = |scatter: &Scatter| -> Option<(usize, Vec<usize>, By)> {
                 let (kind, substance) = t.as_ref()?;
-                let sheared = shape(kind).map(|s| s.sheared);
+                let sheared = shape(kind).map(|s| s.medium);
                 match *scatter {
                     Scatter::Share(key, share) => Some((i, vec![kind.index(key)?], By::Share(share))),
                     Scatter::Amount(key, amount) => Some((i, vec![kind.index(key)?], By::Amount(amount))),
                     Scatter::Hardness(amount) => {
-                        let own = substance.filter(|_| sheared == Some(Sheared::Rubber))?.grade;
+                        let own = substance.filter(|_| sheared == Some(Medium::Rubber))?.grade;
                         let to = |hardness: f64| modulus_of_hardness(hardness.clamp(HARDNESS.0, HARDNESS.1)) / modulus_of_hardness(own);
                         Some((i, vec![shape(kind)?.material().start], By::Factors(to(own + amount), to(own - amount))))
                     }
                     Scatter::Viscosity(share) => {
-                        let first = shape(kind).filter(|_| sheared == Some(Sheared::Oil))?.material().start;
+                        let first = shape(kind).filter(|_| sheared == Some(Medium::Oil))?.material().start;
                         Some((i, vec![first, kind.index(RELAXATION_TIME)?], By::Share(share)))
                     }
                 }

@@ -1,7 +1,7 @@
 //! What a quotation needs that no calculation says: blanks for engine builder and maker, with what is known of each.
 
 use super::block::{Block, row};
-use crate::absorber::Sheared;
+use crate::absorber::Medium;
 use crate::analysis::Sheet;
 use crate::input::Study;
 use crate::text::table::significant;
@@ -20,16 +20,26 @@ pub(super) fn agreed(study: &Study, sheet: &Sheet) -> Block {
     let unbalance = sheet.mass * G_6_3 / (highest * RAD_PER_S_PER_RPM) * G_MM_PER_KG_M;
     let inside = |x: f64| format!("inside {} mm: {}", significant(x * MM_PER_M, 4), blank());
     let mut rows = Vec::new();
-    match sheet.shape.sheared {
-        Sheared::Rubber => {
+    match sheet.shape.medium {
+        Medium::Rubber => {
             rows.push(row("Hub: material, bolting, fit on the crank", inside(p.bore)));
             rows.push(row("Rubber: bonded, or pressed in and by how much", blank()));
             rows.push(row("Bonding agent, test of the bond", blank()));
         }
-        Sheared::Oil => {
+        Medium::Oil => {
             rows.push(row("Flange: bolting, fit on the crank", inside(p.bore)));
             rows.push(row("Bearing of the ring, closure and sealing", blank()));
             rows.push(row("Filling: share of the volume, plug, sampling", blank()));
+        }
+        Medium::Leaves | Medium::Coils => {
+            rows.push(row("Hub: material, bolting, fit on the crank", inside(p.bore)));
+            rows.push(row("Springs: steel, peening, preload and seats", blank()));
+            rows.push(row("Oil: supply, sealing, its viscosity", blank()));
+        }
+        Medium::Field => {
+            rows.push(row("Carrier: material, bolting, fit on the crank", inside(p.bore)));
+            rows.push(row("Rollers or pivots, hardness of the paths", blank()));
+            rows.push(row("End stops, lubrication", blank()));
         }
     }
     rows.push(row("Surface protection, marking", blank()));

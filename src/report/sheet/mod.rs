@@ -8,6 +8,7 @@ mod section;
 
 use super::files::{Folder, WriteError};
 use super::plot::canvas::written_page;
+use crate::absorber::Medium;
 use crate::analysis::{Results, Sheet};
 use crate::input::Study;
 use crate::text::allocation::borne;
@@ -35,7 +36,7 @@ fn one(study: &Study, results: &Results, sheet: &Sheet, folder: &Folder) -> Resu
     })?;
     folder.write(&format!("{name}.pdf"), &pdf)?;
     let substance = sheet.substance.as_ref();
-    let record = json!({
+    let mut record = json!({
         "format": 1,
         "study": study.name,
         "engine": study.engine.name,
@@ -47,10 +48,17 @@ fn one(study: &Study, results: &Results, sheet: &Sheet, folder: &Folder) -> Resu
         "width_mm": sheet.parts.width * 1e3,
         "bore_mm": sheet.parts.bore * 1e3,
         "ring_mass_kg": sheet.parts.ring_mass,
-        "housing_mass_kg": sheet.parts.hub_mass,
-        "housing_inertia_kg_m2": sheet.parts.hub_inertia,
-        "sheared_volume_l": sheet.parts.sheared_volume * 1e3,
-        "borne_tolerances": borne(study, results, &sheet.design),
     });
+    let p = &sheet.parts;
+    let own = match sheet.shape.medium {
+        Medium::Rubber | Medium::Oil => {
+            vec![("housing_mass_kg", p.hub_mass), ("housing_inertia_kg_m2", p.hub_inertia), ("sheared_volume_l", p.element_volume * 1e3)]
+        }
+        Medium::Leaves => vec![("leaf_width_mm", p.element_length * 1e3), ("slot_radius_mm", p.radius * 1e3)],
+        Medium::Coils => vec![("coil_outer_diameter_mm", p.element_length * 1e3), ("spring_radius_mm", p.radius * 1e3)],
+        Medium::Field => vec![("inertia_with_hub_kg_m2", p.hub_inertia)],
+    };
+    own.into_iter().for_each(|(key, value)| record[key] = json!(value));
+    record["borne_tolerances"] = json!(borne(study, results, &sheet.design));
     folder.write(&format!("{name}.json"), format!("{record:#}\n").as_bytes())
 }

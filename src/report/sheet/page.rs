@@ -4,7 +4,7 @@ use super::agreed::agreed;
 use super::block::{Block, row};
 use super::canvas::Canvas;
 use super::section;
-use crate::absorber::Sheared;
+use crate::absorber::Medium;
 use crate::analysis::{DesignResult, Results, Sheet};
 use crate::input::Study;
 use crate::objective::{Condition, holds};
@@ -15,7 +15,7 @@ use crate::text::order_sheets::{accepted, holding, megapascal, outside, sentence
 use crate::text::prices;
 use crate::text::scattered;
 use crate::text::table::significant;
-use crate::units::of_key;
+use crate::units::{DEG_PER_RAD, of_key};
 
 /// Units of the page: those of CSS.
 pub(super) const UNITS_PER_INCH: f32 = 96.0;
@@ -50,7 +50,7 @@ fn wrapped(words: &str, letters: usize) -> Vec<String> {
 pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     let mut page = Canvas::default();
     let design = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).find(|d| d.name == sheet.design);
-    let sheared = sheet.shape.sheared;
+    let medium = sheet.shape.medium;
     let mut y = EDGE + 14.0;
     page.text((EDGE, y), 18.0, &format!("Torsional vibration damper for {}", study.engine.name), true);
     y += 18.0;
@@ -68,12 +68,12 @@ pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     let half = 0.5 * (WIDTH - 2.0 * EDGE);
     section::draw(&mut page, sheet, (EDGE, y, half - 10.0, 330.0));
     let mut right = y + 6.0;
-    for block in [dimensions(sheet), parts(sheet, sheared)] {
+    for block in [dimensions(sheet), parts(sheet, medium)] {
         right = put_block(&mut page, (EDGE + half + 10.0, right), half - 10.0, &block);
     }
     y = right.max(y + 345.0) + 4.0;
     let mut columns = [y, y];
-    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(sheet), made(study, results, (sheet, sheared)), agreed(study, sheet)];
+    let blocks = [stiffness(sheet, medium), loads(sheet), acceptance(sheet), made(study, results, (sheet, medium)), agreed(study, sheet)];
     for (i, block) in blocks.iter().filter(|b| !b.rows.is_empty()).enumerate() {
         let column = i % 2;
         let x = EDGE + column as f64 * (half + 10.0);
@@ -146,7 +146,6 @@ fn dimensions(sheet: &Sheet) -> Block {
         row(about, format!("{}{unit}", significant(*value, 5)))
     };
     let p = &sheet.parts;
-    let mm = |x: f64| format!("{} mm", significant(x * 1e3, 4));
     let mut rows: Vec<_> = sheet.dimensions.iter().map(one).collect();
     rows.push(row("Width of the ring", mm(p.ring_width)));
     rows.push(row("Width of all", mm(p.width)));
@@ -154,35 +153,60 @@ fn dimensions(sheet: &Sheet) -> Block {
     Block { title: "Dimensions", rows }
 }
 
-fn parts(sheet: &Sheet, sheared: Sheared) -> Block {
+fn parts(sheet: &Sheet, medium: Medium) -> Block {
     let p = &sheet.parts;
     let kg = |x: f64| format!("{} kg", significant(x, 4));
-    let mut rows = vec![row("Ring", format!("{}, {} kg m²", kg(p.ring_mass), significant(sheet.ring_inertia, 5)))];
+    let moved = if medium == Medium::Field { "Masses together" } else { "Ring" };
+    let mut rows = vec![row(moved, format!("{}, {} kg m²", kg(p.ring_mass), significant(sheet.ring_inertia, 5)))];
     if p.hub_mass > 0.0 {
         rows.push(row("Housing", format!("{}, {} kg m²", kg(p.hub_mass), significant(p.hub_inertia, 5))));
     }
     let name = sheet.substance.as_ref().map_or_else(|| "not named".to_owned(), |s| format!("{} ({})", s.name, s.about));
-    match sheared {
-        Sheared::Rubber => {
+    match medium {
+        Medium::Rubber => {
             rows.push(row("Compound", name));
             rows.extend(sheet.substance.as_ref().map(|s| row("Hardness", format!("{} Shore A", s.grade))));
-            rows.push(row("Rubber", kg(sheet.sheared_mass)));
+            rows.extend(sheet.sheared_mass.map(|m| row("Rubber", kg(m))));
         }
-        Sheared::Oil => {
+        Medium::Oil => {
             rows.push(row("Oil", name));
             rows.extend(sheet.substance.as_ref().map(|s| row("Viscosity at 25 °C", format!("{} mm²/s", s.grade))));
-            rows.push(row("Volume of oil", format!("{} l ({})", significant(p.sheared_volume * 1e3, 4), kg(sheet.sheared_mass))));
+            let litres = significant(p.element_volume * 1e3, 4);
+            rows.extend(sheet.sheared_mass.map(|m| row("Volume of oil", format!("{litres} l ({})", kg(m)))));
         }
+        Medium::Leaves => {
+            rows.push(row("Width of a leaf", mm(p.element_length)));
+            rows.push(row("Radius of the slots", mm(p.radius)));
+            rows.extend(sheet.spring_mass.map(|m| row("Leaves together", kg(m))));
+        }
+        Medium::Coils => {
+            rows.push(row("Outer diameter of a coil", mm(p.element_length)));
+            rows.push(row("Radius of the axes of the springs", mm(p.radius)));
+            rows.extend(sheet.spring_mass.map(|m| row("Springs together", kg(m))));
+        }
+        Medium::Field => rows.extend(sheet.swing.into_iter().flat_map(|s| {
+            [
+                row("Each mass", kg(s.each)),
+                row("Radius of its centre", mm(s.centre_radius)),
+                row("About their own centres, with the hub", format!("{} kg m²", significant(p.hub_inertia, 4))),
+            ]
+        })),
     }
     rows.push(row("All together", kg(sheet.mass)));
     Block { title: "Parts", rows }
 }
 
-fn stiffness(sheet: &Sheet, sheared: Sheared) -> Block {
+/// A length.
+fn mm(x: f64) -> String {
+    format!("{} mm", significant(x * 1e3, 4))
+}
+
+fn stiffness(sheet: &Sheet, medium: Medium) -> Block {
     let mut rows = Vec::new();
     rows.extend(sheet.static_stiffness.map(|k| row("Static stiffness", format!("{} N m/rad", significant(k, 5)))));
     rows.extend(sheet.damping.map(|c| row("Damping at low speed", format!("{} N m s/rad", significant(c, 5)))));
-    if let Some(own) = sheet.on_held_hub.filter(|_| sheared == Sheared::Rubber) {
+    rows.extend(sheet.swing.map(|s| row("Tuned to the order", significant(s.tuning_order, 5))));
+    if let Some(own) = sheet.on_held_hub.filter(|_| medium == Medium::Rubber || medium.is_spring()) {
         rows.push(row("Ring on its held hub, at the reference", format!("{} Hz", significant(own.frequency_hz, 5))));
         rows.push(row("Loss factor there", significant(own.loss_factor, 3)));
     }
@@ -199,17 +223,30 @@ fn loads(sheet: &Sheet) -> Block {
     let radius = 0.5 * p.outer_diameter;
     // both faces and the rim
     let surface = 2.0 * std::f64::consts::PI * radius * (radius + p.width);
-    let mut rows = vec![
-        row("Largest shear strain, worst of the conditions", format!("{} %", significant(100.0 * sheet.strain, 3))),
-        row("Shear stress of it at the stiffest", format!("{} MPa", megapascal(sheet.stress))),
-        row("Largest heat, worst of the conditions", format!("{} W", significant(sheet.power, 4))),
-        row("Over its own surface", format!("{} W/m²", significant(sheet.power / surface, 4))),
-    ];
+    let is_spring = sheet.shape.medium.is_spring();
+    let mut rows = Vec::new();
+    rows.extend(sheet.strain.map(|s| row("Largest shear strain, worst of the conditions", format!("{} %", significant(100.0 * s, 3)))));
+    let of_stress = if is_spring { "Largest stress of the springs, worst of the conditions" } else { "Shear stress of it at the stiffest" };
+    rows.extend(sheet.stress.map(|s| row(of_stress, format!("{} MPa", megapascal(s)))));
+    rows.extend(sheet.swing.into_iter().flat_map(|s| {
+        [
+            row("Largest arc to each side, worst of the conditions", mm(s.arc)),
+            row("Angle of the path", format!("{}°", significant(s.angle * DEG_PER_RAD, 3))),
+            row("Radius that its corners come to", mm(s.reach)),
+        ]
+    }));
+    rows.push(row("Largest heat, worst of the conditions", format!("{} W", significant(sheet.power, 4))));
+    rows.push(row("Over its own surface", format!("{} W/m²", significant(sheet.power / surface, 4))));
     rows.extend(sheet.celsius.map(|c| {
         row("Highest temperature in operation", if c.is_finite() { format!("{} °C", significant(c, 4)) } else { "overheats".into() })
     }));
     rows.extend(sheet.substance.as_ref().map(|s| row("What the material bears", format!("{} °C", significant(s.limit, 4)))));
-    Block { title: "Strain and heat", rows }
+    let title = match sheet.shape.medium {
+        Medium::Rubber | Medium::Oil => "Strain and heat",
+        Medium::Leaves | Medium::Coils => "Stress and heat",
+        Medium::Field => "Swing and heat",
+    };
+    Block { title, rows }
 }
 
 fn acceptance(sheet: &Sheet) -> Block {
@@ -223,13 +260,13 @@ fn acceptance(sheet: &Sheet) -> Block {
     Block { title: "Acceptance test", rows }
 }
 
-fn made(study: &Study, results: &Results, (sheet, sheared): (&Sheet, Sheared)) -> Block {
+fn made(study: &Study, results: &Results, (sheet, medium): (&Sheet, Medium)) -> Block {
     let mut rows = Vec::new();
     if let Some(spec) = &study.robust {
         let own = |s: &&Scatter| match s {
             Scatter::Share(key, _) | Scatter::Amount(key, _) => sheet.dimensions.iter().any(|d| d.0 == *key),
-            Scatter::Hardness(_) => sheared == Sheared::Rubber,
-            Scatter::Viscosity(_) => sheared == Sheared::Oil,
+            Scatter::Hardness(_) => medium == Medium::Rubber,
+            Scatter::Viscosity(_) => medium == Medium::Oil,
         };
         rows.extend(spec.scatter().iter().filter(own).map(|s| row("Tolerance", scattered(s))));
     }
@@ -264,22 +301,37 @@ fn limits(study: &Study, results: &Results, d: &DesignResult) -> Block {
     Block { title: "Limits, in the conditions of the study", rows }
 }
 
+/// What is left out of a drawing.
+fn of_drawing(medium: Medium) -> &'static str {
+    match medium {
+        Medium::Rubber | Medium::Oil => {
+            "The inertia of what is sheared is left out; sections are rectangular, without fillets; the hub that carries it is another part."
+        }
+        Medium::Leaves => {
+            "Leaves are beams of small deflection, clamped in the hub, their ends guided in slots of the ring without friction; stress concentration at the clamp, centrifugal force and the inertia of the leaves are left out; the hub is another part."
+        }
+        Medium::Coils => {
+            "No spring comes loose: what they are set by is not in the stress, which is that of the twist, with Wahl's factor of curvature; friction at the ring, centrifugal force and the inertia of the springs are left out; the hub is another part."
+        }
+        Medium::Field => {
+            "Masses are sectors without bores for their rollers, whose inertia is left out; each moves along its path without turning, all in step, by the law of small swing; gravity is left out; the hub is another part."
+        }
+    }
+}
+
 fn assumptions(sheet: &Sheet) -> Vec<String> {
-    let mut list = vec![
-        "The inertia of what is sheared is left out; sections are rectangular, without fillets; the hub that carries it is another part."
-            .to_owned(),
-    ];
+    let mut list = vec![of_drawing(sheet.shape.medium).to_owned()];
     if let Some(s) = &sheet.substance {
         let assumed: Vec<&str> = s.assumed().collect();
         if !assumed.is_empty() {
             list.push(format!("Of {} these numbers are assumptions of its table: {}.", s.name, assumed.join(", ")));
         }
-        if let Some(kraus) = &s.amplitude {
-            let (storage, loss) = kraus.factors(sheet.strain.max(1e-6));
+        if let (Some(kraus), Some(strain)) = (&s.amplitude, sheet.strain) {
+            let (storage, loss) = kraus.factors(strain.max(1e-6));
             list.push(format!(
                 "The modulus is that at a strain of {} %; at {} % it would be {} times as large, the loss modulus {} times (Payne effect).",
                 significant(100.0 * kraus.reference, 3),
-                significant(100.0 * sheet.strain, 3),
+                significant(100.0 * strain, 3),
                 significant(storage, 3),
                 significant(loss, 3)
             ));

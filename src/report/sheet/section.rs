@@ -1,7 +1,7 @@
 //! The section of a damper, to scale, with its dimensions: what lies above its axis.
 
 use super::canvas::Canvas;
-use crate::absorber::{SLEEVE, Sheared};
+use crate::absorber::{Medium, SLEEVE};
 use crate::analysis::Sheet;
 use crate::text::order_sheets::mm;
 
@@ -16,42 +16,48 @@ const STEEL: &str = "#d5dbe3";
 const RUBBER: &str = "#4a4a4a";
 const OIL: &str = "#f2d9a0";
 const HOUSING: &str = "#b9c4d3";
+const SPRING: &str = "#8fa3b8";
 
 /// What is drawn of a shape.
 fn bodies(sheet: &Sheet) -> Vec<Body> {
     let p = &sheet.parts;
     let [inner, outer] = p.ring;
-    let half = 0.5 * p.width;
-    let ring_half = 0.5 * p.ring_width;
-    let mut list = Vec::new();
-    if sheet.shape.sheared == Sheared::Oil {
-        let outside = 0.5 * p.outer_diameter;
-        list.push(Body { axial: (-half, half), radial: (0.5 * p.bore, outside), fill: HOUSING });
-        let wall = outside - outer - p.sheared_length;
-        let chamber = half - wall;
-        list.push(Body { axial: (-chamber, chamber), radial: (inner - p.sheared_length, outer + p.sheared_length), fill: OIL });
-        list.push(Body { axial: (-ring_half, ring_half), radial: (inner, outer), fill: STEEL });
-        return list;
-    }
-    match sheet.shape.declaration {
-        kind if kind == &SLEEVE => {
-            let length = 0.5 * p.sheared_length;
-            list.push(Body { axial: (-half, half), radial: (inner, outer), fill: STEEL });
-            list.push(Body { axial: (-length, length), radial: (0.5 * p.bore, inner), fill: RUBBER });
+    let (half, ring_half) = (0.5 * p.width, 0.5 * p.ring_width);
+    let ring = Body { axial: (-ring_half, ring_half), radial: (inner, outer), fill: STEEL };
+    // between hub and ring, as long along the axis as it is
+    let inside = |fill: &'static str| {
+        let length = 0.5 * p.element_length;
+        Body { axial: (-length, length), radial: (0.5 * p.bore, inner), fill }
+    };
+    match sheet.shape.medium {
+        Medium::Oil => {
+            let outside = 0.5 * p.outer_diameter;
+            let chamber = half - (outside - outer - p.element_length);
+            vec![
+                Body { axial: (-half, half), radial: (0.5 * p.bore, outside), fill: HOUSING },
+                Body { axial: (-chamber, chamber), radial: (inner - p.element_length, outer + p.element_length), fill: OIL },
+                ring,
+            ]
         }
-        _ => {
+        Medium::Rubber if sheet.shape.declaration == &SLEEVE => vec![ring, inside(RUBBER)],
+        Medium::Rubber => {
             let thickness = (p.width - p.ring_width).max(0.0);
-            let faces = if thickness > 1.5 * p.sheared_length { 2.0 } else { 1.0 };
+            let faces = if thickness > 1.5 * p.element_length { 2.0 } else { 1.0 };
             let each = thickness / faces;
             let left = if faces > 1.5 { -half + each } else { -half };
-            list.push(Body { axial: (left, left + p.ring_width), radial: (inner, outer), fill: STEEL });
-            list.push(Body { axial: (left + p.ring_width, left + p.ring_width + each), radial: (inner, outer), fill: RUBBER });
+            let right = left + p.ring_width;
+            let mut list = vec![
+                Body { axial: (left, right), radial: (inner, outer), fill: STEEL },
+                Body { axial: (right, right + each), radial: (inner, outer), fill: RUBBER },
+            ];
             if faces > 1.5 {
                 list.push(Body { axial: (-half, left), radial: (inner, outer), fill: RUBBER });
             }
+            list
         }
+        Medium::Leaves | Medium::Coils => vec![ring, inside(SPRING)],
+        Medium::Field => vec![ring],
     }
-    list
 }
 
 /// Draws it into a box of the page: x, y, width, height, units of the page.

@@ -3,20 +3,21 @@
 use super::judged::value_of;
 use super::table::significant;
 use crate::absorber::substance::Outside;
-use crate::absorber::{HOUSING, SLEEVE, Sheared};
+use crate::absorber::{Medium, SLEEVE};
 use crate::analysis::sheets::{Band, Holding, Measured};
 use crate::analysis::{Results, Sheet};
 use crate::input::Study;
 use crate::objective::holds;
-use crate::units::{M_PER_MM, PA_PER_MPA};
+use crate::units::{DEG_PER_RAD, M_PER_MM, PA_PER_MPA};
 
-/// A compound or an oil by its name, with its grade.
+/// What carries the ring: a compound or an oil by its name, with its grade.
 fn named(sheet: &Sheet) -> String {
-    match (&sheet.substance, sheet.shape.sheared) {
-        (Some(s), Sheared::Rubber) => format!("{} ({} Shore A)", s.name, s.grade),
-        (Some(s), Sheared::Oil) => format!("{} ({} mm²/s)", s.name, s.grade),
-        (None, Sheared::Rubber) => "rubber".to_owned(),
-        (None, Sheared::Oil) => "silicone oil".to_owned(),
+    let grade = |unit: &str| sheet.substance.as_ref().map(|s| format!("{} ({} {unit})", s.name, s.grade));
+    match sheet.shape.medium {
+        Medium::Rubber => grade("Shore A").unwrap_or_else(|| "rubber".to_owned()),
+        Medium::Oil => grade("mm²/s").unwrap_or_else(|| "silicone oil".to_owned()),
+        Medium::Leaves | Medium::Coils => "springs of steel".to_owned(),
+        Medium::Field => "centrifugal pendulums".to_owned(),
     }
 }
 
@@ -29,23 +30,71 @@ fn dimension(sheet: &Sheet, key: &str) -> f64 {
     sheet.dimensions.iter().find(|d| d.0 == key).map_or(0.0, |d| d.1)
 }
 
+/// How many: whole numbers as they are.
+fn count(x: f64) -> String {
+    if x.fract() == 0.0 { x.to_string() } else { significant(x, 3) }
+}
+
 /// Its sizes: "sleeve 152 x 6.5 x 48 mm" by mean diameter, thickness and length.
 fn sizes(sheet: &Sheet) -> String {
     let p = &sheet.parts;
-    match sheet.shape.declaration {
-        kind if kind == &SLEEVE => {
-            let thickness = dimension(sheet, "rubber_thickness_mm");
-            let mean = p.bore / M_PER_MM + thickness;
-            format!("sleeve {} x {} x {} mm", significant(mean, 4), significant(thickness, 3), mm(p.sheared_length))
-        }
-        kind if kind == &HOUSING => format!(
+    let of = |key: &str, digits: i32| significant(dimension(sheet, key), digits);
+    match sheet.shape.medium {
+        Medium::Oil => format!(
             "housing {} x {} mm, gaps {} and {} mm",
             mm(p.outer_diameter),
             mm(p.width),
-            significant(dimension(sheet, "radial_gap_mm"), 3),
-            significant(dimension(sheet, "axial_gap_mm"), 3)
+            of("radial_gap_mm", 3),
+            of("axial_gap_mm", 3)
         ),
-        _ => format!("{} {} x {} x {} mm", sheet.kind, mm(2.0 * p.ring[0]), mm(2.0 * p.ring[1]), mm(p.sheared_length)),
+        Medium::Rubber if sheet.shape.declaration == &SLEEVE => {
+            let thickness = dimension(sheet, "rubber_thickness_mm");
+            let mean = p.bore / M_PER_MM + thickness;
+            format!("sleeve {} x {} x {} mm", significant(mean, 4), significant(thickness, 3), mm(p.element_length))
+        }
+        Medium::Rubber => format!("{} {} x {} x {} mm", sheet.kind, mm(2.0 * p.ring[0]), mm(2.0 * p.ring[1]), mm(p.element_length)),
+        Medium::Leaves => {
+            format!(
+                "{} leaves {} x {} x {} mm",
+                count(dimension(sheet, "springs")),
+                of("leaf_length_mm", 4),
+                of("leaf_thickness_mm", 3),
+                mm(p.element_length)
+            )
+        }
+        Medium::Coils => format!(
+            "{} coil springs of {} mm wire, {} mm outside, {} active coils",
+            count(dimension(sheet, "springs")),
+            of("wire_diameter_mm", 3),
+            mm(p.element_length),
+            count(dimension(sheet, "active_coils"))
+        ),
+        Medium::Field => sheet.swing.map_or_else(String::new, |s| {
+            format!(
+                "{} masses of {} kg at {} mm, paths of {} mm, order {}",
+                count(dimension(sheet, "masses")),
+                significant(s.each, 3),
+                mm(s.centre_radius),
+                of("path_radius_mm", 4),
+                significant(s.tuning_order, 4)
+            )
+        }),
+    }
+}
+
+/// What of it moves against the hub.
+fn moved(sheet: &Sheet) -> &'static str {
+    if sheet.shape.medium == Medium::Field { "together" } else { "ring" }
+}
+
+/// What its twist makes in it.
+fn borne_by_it(sheet: &Sheet) -> Option<String> {
+    let strain = sheet.strain.map(|s| format!("{} %", significant(100.0 * s, 3)));
+    match sheet.shape.medium {
+        Medium::Rubber => strain.map(|s| format!("strain {s}")),
+        Medium::Oil => strain.map(|s| format!("shear of the oil {s}")),
+        Medium::Leaves | Medium::Coils => sheet.stress.map(|s| format!("stress of the springs {} MPa", megapascal(s))),
+        Medium::Field => sheet.swing.map(|s| format!("swing {} mm, {}°", mm(s.arc), significant(s.angle * DEG_PER_RAD, 3))),
     }
 }
 
@@ -94,11 +143,11 @@ pub(crate) fn sentence(study: &Study, results: &Results, sheet: &Sheet) -> Strin
     let of = &study.objective;
     let judged = results.judged(d).map_or_else(String::new, |j| value_of(of, j.value));
     let none = results.bare.first().copied().flatten().map_or_else(String::new, |v| format!(" (none {})", value_of(of, v)));
-    let mut parts = vec![format!("{}, {}, ring {} kg: {judged}{none}", named(sheet), sizes(sheet), significant(sheet.parts.ring_mass, 3))];
+    let mut parts =
+        vec![format!("{}, {}, {} {} kg: {judged}{none}", named(sheet), sizes(sheet), moved(sheet), significant(sheet.parts.ring_mass, 3))];
     parts.push(format!("{} W", significant(sheet.power, 3)));
     parts.extend(sheet.celsius.map(|c| if c.is_finite() { format!("{} °C", significant(c, 3)) } else { "overheats".to_owned() }));
-    let what = if sheet.shape.sheared == Sheared::Oil { "shear of the oil" } else { "strain" };
-    parts.push(format!("{what} {} %", significant(100.0 * sheet.strain, 3)));
+    parts.extend(borne_by_it(sheet));
     let broken: Vec<&str> = study.limits.iter().zip(&d.limits).filter(|(_, r)| !holds(**r)).map(|(l, _)| l.words.as_str()).collect();
     if !study.limits.is_empty() {
         parts.push(if broken.is_empty() { "holds all limits".to_owned() } else { format!("FAILS {}", broken.join("; ")) });

@@ -122,6 +122,7 @@ pub(crate) fn floor(finder: &PeakFinder, quantity: Quantity, over: Over) -> f64 
         | Over::MeanPower
         | Over::Damage
         | Over::Strain
+        | Over::SpringStress
         | Over::Property(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
     }
 }

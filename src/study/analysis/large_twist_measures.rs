@@ -69,6 +69,7 @@ impl<'a> Told<'a> {
             | Over::MeanPower
             | Over::Damage
             | Over::Strain
+            | Over::SpringStress
             | Over::Property(_) => {
                 return None;
             }

@@ -2,7 +2,7 @@
 
 use crate::absorber::construction::shape;
 use crate::absorber::parameter::{DAMPING, STIFFNESS};
-use crate::absorber::{Absorber, Operating, Sheared};
+use crate::absorber::{Absorber, Medium, Operating};
 use crate::drivetrain::natural;
 use crate::objective::Condition;
 use crate::units::HZ_PER_RAD_PER_S;
@@ -35,15 +35,18 @@ pub struct OnHeldHub {
 /// Key of the viscosity of an oil by its name.
 const VISCOSITY: &str = "viscosity_pa_s";
 
-/// Where damping is the whole of it the ring has no frequency that matters.
-fn is_oil(absorber: &Absorber) -> bool {
-    let of_shape = absorber.declaration().and_then(shape);
-    of_shape.map_or_else(|| absorber.value(STIFFNESS.key).is_none_or(|k| k == 0.0), |s| s.sheared == Sheared::Oil)
+/// Where damping is the whole of it the ring has no frequency that matters, and that of pendulums goes with the speed of the shaft.
+fn has_no_frequency(absorber: &Absorber) -> bool {
+    let of_shape = absorber.declaration().and_then(shape).map(|s| match s.medium {
+        Medium::Oil | Medium::Field => true,
+        Medium::Rubber | Medium::Leaves | Medium::Coils => false,
+    });
+    of_shape.unwrap_or_else(|| absorber.value(STIFFNESS.key).is_none_or(|k| k == 0.0))
 }
 
 /// The ring of an absorber at its own frequency; nothing where it has none.
 pub(super) fn at_own_frequency(absorber: &Absorber) -> Option<OnHeldHub> {
-    let law = absorber.law().filter(|_| !is_oil(absorber))?;
+    let law = absorber.law().filter(|_| !has_no_frequency(absorber))?;
     let omega = natural::own(law.as_ref())?;
     let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
     Some(OnHeldHub { frequency_hz: omega * HZ_PER_RAD_PER_S, stiffness: s.re, loss_factor: s.im / s.re })
@@ -60,15 +63,19 @@ pub fn over_states(absorber: &Absorber, conditions: impl Iterator<Item = Conditi
     list
 }
 
-/// Nothing where no geometry is given.
+/// Nothing where no geometry is given, or where nothing is sheared.
 #[doc(hidden)]
 pub fn made_of(absorber: &Absorber, ring_twist: f64) -> Option<MadeOf> {
-    let law = absorber.law()?;
+    let law = absorber.law().filter(|law| shape(law.declaration()).is_none_or(|s| s.medium.is_sheared()))?;
     let factor = law.parts().map(|p| p.factor).or_else(|| Some(law.material()?.geometry?.factor()))?;
     Some(MadeOf {
         factor,
         rubber: at_own_frequency(absorber).map(|own| (own.frequency_hz, own.stiffness / factor, own.loss_factor)),
-        viscosity: absorber.value(DAMPING.key).filter(|_| is_oil(absorber)).map(|c| c / factor).or_else(|| absorber.value(VISCOSITY)),
+        viscosity: absorber
+            .value(DAMPING.key)
+            .filter(|_| has_no_frequency(absorber))
+            .map(|c| c / factor)
+            .or_else(|| absorber.value(VISCOSITY)),
         strain: law.strain_per_twist()? * ring_twist,
     })
 }

@@ -27,9 +27,9 @@ pub enum UnitOf {
         /// Strain per twist of the ring, 1/rad: mean radius over thickness.
         per_twist: f64,
     },
-    /// Stress of a spring, MPa (rad inside).
+    /// Stress of a spring, MPa (rad inside; Pa where it is by dimensions).
     SpringStress {
-        /// Pa per rad of twist.
+        /// Pa per rad of twist; one where it is Pa.
         per_twist: f64,
     },
     /// W.

@@ -6,7 +6,7 @@ use crate::absorber::fractional_zener::{EXPONENT, GLASS_RATIO};
 use crate::absorber::law::Declaration;
 use crate::absorber::maxwell::RELAXATION_TIME;
 use crate::absorber::parameter::{Parameter, RING_INERTIA, Range};
-use crate::absorber::parts::{MOST, Number, Parts, Sheared};
+use crate::absorber::parts::{MOST, Medium, Number, Parts};
 use crate::numerics::dual::Dual;
 
 /// A ring bonded by flat discs of rubber.
@@ -29,7 +29,7 @@ pub static DISC: Declaration = Declaration {
     closed_forms: &[],
 };
 
-pub(super) static SHAPE: Shape = Shape { declaration: &DISC, sheared: Sheared::Rubber, dimensions: 6, parts };
+pub(super) static SHAPE: Shape = Shape::sheared(&DISC, Medium::Rubber, 6, parts);
 
 /// The discs are as wide as the ring; the flanges of the hub are not part of the width.
 fn parts(d: &[Number; MOST]) -> Parts<Number> {
@@ -41,15 +41,17 @@ fn parts(d: &[Number; MOST]) -> Parts<Number> {
     Parts {
         factor: faces * polar(inner, outer) / thickness,
         strain_per_twist: outer / thickness,
+        stress_per_twist: Dual::constant(0.0),
         hub_inertia: Dual::constant(0.0),
         ring_mass: density * annulus(inner, outer) * ring_width,
         hub_mass: Dual::constant(0.0),
-        sheared_volume: faces * annulus(inner, outer) * thickness,
+        element_volume: faces * annulus(inner, outer) * thickness,
         outer_diameter: outer * 2.0,
         width: ring_width + faces * thickness,
         bore: inner * 2.0,
         ring: [inner, outer],
         ring_width,
-        sheared_length: thickness,
+        element_length: thickness,
+        radius: Dual::constant(0.0),
     }
 }

@@ -7,7 +7,8 @@ use crate::absorber::carreau::{FLOW_INDEX, TRANSITION};
 use crate::absorber::law::Declaration;
 use crate::absorber::maxwell::RELAXATION_TIME;
 use crate::absorber::parameter::{Follows, Parameter, RING_INERTIA, Range, of_material};
-use crate::absorber::parts::{MOST, Number, Parts, Sheared};
+use crate::absorber::parts::{MOST, Medium, Number, Parts};
+use crate::numerics::dual::Dual;
 
 /// A ring in silicone oil in its housing.
 pub static HOUSING: Declaration = Declaration {
@@ -47,10 +48,10 @@ pub static HOUSING: Declaration = Declaration {
     closed_forms: &[],
 };
 
-pub(super) static SHAPE: Shape = Shape { declaration: &HOUSING, sheared: Sheared::Oil, dimensions: 8, parts };
+pub(super) static SHAPE: Shape = Shape::sheared(&HOUSING, Medium::Oil, 8, parts);
 
 fn parts(d: &[Number; MOST]) -> Parts<Number> {
-    let [inertia, diameter, wall, ring_wall, radial, axial, density, housing_density] = *d;
+    let [inertia, diameter, wall, ring_wall, radial, axial, density, housing_density, ..] = *d;
     let outside = diameter * (0.5 * M_PER_MM);
     let (wall, radial, axial) = (wall * M_PER_MM, radial * M_PER_MM, axial * M_PER_MM);
     let rim = outside - wall;
@@ -69,15 +70,17 @@ fn parts(d: &[Number; MOST]) -> Parts<Number> {
     Parts {
         factor: polar(inner, outer) / axial * 2.0 + sleeve_factor(outer, rim, ring_width) + sleeve_factor(bore, inner, ring_width),
         strain_per_twist: if at_rim.value > at_faces.value { at_rim } else { at_faces },
+        stress_per_twist: Dual::constant(0.0),
         hub_inertia: of_housing(&polar),
         ring_mass: density * annulus(inner, outer) * ring_width,
         hub_mass: of_housing(&annulus),
-        sheared_volume: annulus(inner, outer) * axial * 2.0 + (annulus(outer, rim) + annulus(bore, inner)) * chamber,
+        element_volume: annulus(inner, outer) * axial * 2.0 + (annulus(outer, rim) + annulus(bore, inner)) * chamber,
         outer_diameter: outside * 2.0,
         width: chamber + wall * 2.0,
         bore: inside * 2.0,
         ring: [inner, outer],
         ring_width,
-        sheared_length: radial,
+        element_length: radial,
+        radius: Dual::constant(0.0),
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::absorber::law::Declaration;
 use crate::absorber::parameter::{Parameter, Range, Surroundings, of_material};
-use crate::absorber::parts::{MOST, Number, Parts, Sheared};
+use crate::absorber::parts::{MOST, Medium, Number, Parts};
 use crate::numerics::dual::Dual;
 
 /// A damper by its dimensions.
@@ -10,24 +10,96 @@ use crate::numerics::dual::Dual;
 pub struct Shape {
     /// The type.
     pub declaration: &'static Declaration,
-    /// What is sheared.
-    pub sheared: Sheared,
+    /// What carries the ring.
+    pub medium: Medium,
     /// How many of its parameters are dimensions, the inertia of the ring among them: the first ones.
     pub(super) dimensions: usize,
     /// What the dimensions come to: kg m², then as they are declared.
     pub(super) parts: fn(&[Number; MOST]) -> Parts<Number>,
+    /// Dimensions, by their places, at whose least there is the least room; of all others at their most.
+    pub(super) tightest_at_least: &'static [usize],
+    /// What of it has no room beside a bore that is not above zero.
+    pub(super) crowded: fn(&[f64], &Parts<f64>) -> Option<Unfit>,
+}
+
+/// Why a drawing cannot be made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[doc(hidden)]
+pub enum Unfit {
+    /// The diameter that is free inside, m: not above zero.
+    Bore(f64),
+    /// All springs together take this much of a circle that is only so long, m.
+    Springs {
+        /// m.
+        taken: f64,
+        /// m.
+        there: f64,
+    },
+    /// The path of a pendulum mass has a radius that is not below that of its centre, m.
+    Path {
+        /// m.
+        path: f64,
+        /// m.
+        centre: f64,
+    },
 }
 
 impl Shape {
+    /// One on rubber or in oil: its outer diameter comes after the inertia of the ring, and all else takes room.
+    pub(super) const fn sheared(
+        declaration: &'static Declaration,
+        medium: Medium,
+        dimensions: usize,
+        parts: fn(&[Number; MOST]) -> Parts<Number>,
+    ) -> Self {
+        Self { declaration, medium, dimensions, parts, tightest_at_least: &[1], crowded: |_, _| None }
+    }
+
     /// What the values of its parameters come to.
     pub fn parts_of(&self, values: &[f64]) -> Parts<f64> {
         (self.parts)(&variables(values, self.dimensions)).map(|x| x.value)
     }
 
-    /// Indices of the parameters that are properties of its compound or oil.
+    /// Its dimensions: the first of its parameters.
+    pub fn drawn(&self) -> &'static [Parameter] {
+        &self.declaration.parameters[..self.dimensions]
+    }
+
+    /// Whether a parameter is a dimension, by its place.
+    #[doc(hidden)]
+    pub fn is_dimension(&self, parameter: usize) -> bool {
+        parameter < self.dimensions
+    }
+
+    /// Places of the parameters that are properties of its compound or oil, which a table may give; none of springs and pendulums.
     #[doc(hidden)]
     pub fn material(&self) -> std::ops::Range<usize> {
-        self.dimensions..self.declaration.parameters.len()
+        let end = self.declaration.parameters.len();
+        if self.medium.is_sheared() { self.dimensions..end } else { end..end }
+    }
+
+    /// Place of what all that it is stiff or viscous by is proportional to, beside its dimensions: modulus or viscosity. `None` of pendulums.
+    #[doc(hidden)]
+    pub fn strength(&self) -> Option<usize> {
+        match self.medium {
+            Medium::Rubber | Medium::Oil => Some(self.dimensions),
+            // the modulus of steel is the last of what is drawn
+            Medium::Leaves | Medium::Coils => Some(self.dimensions - 1),
+            Medium::Field => None,
+        }
+    }
+
+    /// Why a drawing with these values of its parameters cannot be made; `None` where it can.
+    #[doc(hidden)]
+    pub fn unfit(&self, values: &[f64]) -> Option<Unfit> {
+        let parts = self.parts_of(values);
+        if parts.bore <= 0.0 { Some(Unfit::Bore(parts.bore)) } else { (self.crowded)(values, &parts) }
+    }
+
+    /// Whether there is the least room where a dimension is least, by its place.
+    #[doc(hidden)]
+    pub fn tightest_at_least(&self, dimension: usize) -> bool {
+        self.tightest_at_least.contains(&dimension)
     }
 
     /// The same with the derivatives by its dimensions.
@@ -59,6 +131,9 @@ pub(super) const RING_DENSITY: Parameter = dimension(
     Range::Within(500.0, 25_000.0),
     (|_| (7065.0, 8635.0), |_| 7850.0),
 );
+/// How many springs there are.
+pub(super) const SPRINGS: Parameter =
+    dimension(("springs", "springs", "How many springs there are."), Range::Within(1.0, 1000.0), (|_| (6.0, 8.0), |_| 8.0));
 pub(super) const FACES: Parameter =
     dimension(("faces", "faces", "How many faces of the ring are bonded: 1 or 2."), Range::Within(1.0, 2.0), (|_| (1.0, 2.0), |_| 1.0));
 pub(super) const MODULUS: Parameter = of_material(

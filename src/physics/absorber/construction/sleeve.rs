@@ -6,7 +6,7 @@ use crate::absorber::fractional_zener::{EXPONENT, GLASS_RATIO};
 use crate::absorber::law::Declaration;
 use crate::absorber::maxwell::RELAXATION_TIME;
 use crate::absorber::parameter::{Parameter, RING_INERTIA, Range};
-use crate::absorber::parts::{MOST, Number, Parts, Sheared};
+use crate::absorber::parts::{MOST, Medium, Number, Parts};
 use crate::numerics::dual::Dual;
 
 /// A ring on a sleeve of rubber.
@@ -33,7 +33,7 @@ pub static SLEEVE: Declaration = Declaration {
     closed_forms: &[],
 };
 
-pub(super) static SHAPE: Shape = Shape { declaration: &SLEEVE, sheared: Sheared::Rubber, dimensions: 6, parts };
+pub(super) static SHAPE: Shape = Shape::sheared(&SLEEVE, Medium::Rubber, 6, parts);
 
 fn parts(d: &[Number; MOST]) -> Parts<Number> {
     let [inertia, diameter, wall, thickness, share, density, ..] = *d;
@@ -45,15 +45,17 @@ fn parts(d: &[Number; MOST]) -> Parts<Number> {
     Parts {
         factor: sleeve_factor(hub, inner, length),
         strain_per_twist: inner.powi(2) / (inner.powi(2) - hub.powi(2)) * 2.0,
+        stress_per_twist: Dual::constant(0.0),
         hub_inertia: Dual::constant(0.0),
         ring_mass: density * annulus(inner, outer) * width,
         hub_mass: Dual::constant(0.0),
-        sheared_volume: annulus(hub, inner) * length,
+        element_volume: annulus(hub, inner) * length,
         outer_diameter: outer * 2.0,
         width,
         bore: hub * 2.0,
         ring: [inner, outer],
         ring_width: width,
-        sheared_length: length,
+        element_length: length,
+        radius: Dual::constant(0.0),
     }
 }

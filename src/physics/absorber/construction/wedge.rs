@@ -7,7 +7,7 @@ use crate::absorber::fractional_zener::{EXPONENT, GLASS_RATIO};
 use crate::absorber::law::Declaration;
 use crate::absorber::maxwell::RELAXATION_TIME;
 use crate::absorber::parameter::{Parameter, RING_INERTIA, Range};
-use crate::absorber::parts::{MOST, Number, Parts, Sheared};
+use crate::absorber::parts::{MOST, Medium, Number, Parts};
 use crate::numerics::dual::Dual;
 use std::f64::consts::TAU;
 
@@ -35,7 +35,7 @@ pub static WEDGE: Declaration = Declaration {
     closed_forms: &[],
 };
 
-pub(super) static SHAPE: Shape = Shape { declaration: &WEDGE, sheared: Sheared::Rubber, dimensions: 6, parts };
+pub(super) static SHAPE: Shape = Shape::sheared(&WEDGE, Medium::Rubber, 6, parts);
 
 /// The ring is taken as flat: its width is that of its inertia over a rectangular section; the flanges of the hub are not part of the width.
 fn parts(d: &[Number; MOST]) -> Parts<Number> {
@@ -47,15 +47,17 @@ fn parts(d: &[Number; MOST]) -> Parts<Number> {
     Parts {
         factor: faces * cubes / slope * (TAU / 3.0),
         strain_per_twist: Dual::constant(1.0) / slope,
+        stress_per_twist: Dual::constant(0.0),
         hub_inertia: Dual::constant(0.0),
         ring_mass: density * annulus(inner, outer) * ring_width,
         hub_mass: Dual::constant(0.0),
-        sheared_volume: faces * slope * cubes * (TAU / 3.0),
+        element_volume: faces * slope * cubes * (TAU / 3.0),
         outer_diameter: outer * 2.0,
         width: ring_width + faces * slope * outer,
         bore: inner * 2.0,
         ring: [inner, outer],
         ring_width,
-        sheared_length: slope * outer,
+        element_length: slope * outer,
+        radius: Dual::constant(0.0),
     }
 }

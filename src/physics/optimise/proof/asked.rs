@@ -117,7 +117,7 @@ pub(super) fn has_enclosure(law: &Arc<dyn Law>) -> bool {
 /// Whether a measure at a speed has a bound over a box: shares of strength by amplitude and mean are convex functions of the torque, those by its whole history are left out.
 fn has_bound(measure: &Measure, finder: &PeakFinder) -> bool {
     match measure.over {
-        Over::Synthesis | Over::Orders | Over::Order(_) | Over::Statistic(_) | Over::Power | Over::Strain => true,
+        Over::Synthesis | Over::Orders | Over::Order(_) | Over::Statistic(_) | Over::Power | Over::Strain | Over::SpringStress => true,
         Over::Margin(criterion) => finder.margin.is_some_and(|margin| !margin.is_multiaxial(criterion)),
         Over::Temperature | Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Property(_) => false,
     }
@@ -212,7 +212,11 @@ impl Case<'_> {
                                 let law = self.absorbers[i].absorber.law();
                                 law.and_then(|law| law.strain_per_twist()).map(|by| sum.half_range().times(by))
                             }
-                            (Over::Margin(_) | Over::Strain, _) => None,
+                            (Over::SpringStress, Quantity::RingTwist(i)) => {
+                                let law = self.absorbers[i].absorber.law();
+                                law.and_then(|law| law.stress_per_twist()).map(|by| sum.half_range().times(by))
+                            }
+                            (Over::Margin(_) | Over::Strain | Over::SpringStress, _) => None,
                             _ => Some(sum.half_range()),
                         };
                         form.into_iter().for_each(&mut put);

@@ -1,8 +1,8 @@
-//! The acceptance test: a maker measures one number of each damper, the frequency of the ring on its held hub at the reference temperature of a compound, or the damping of an oil at low speed. Within the band
+//! The acceptance test: a maker measures one number of each damper, the frequency of the ring on its held hub at the reference temperature of a compound or on its springs, or the damping of an oil at low speed. Within the band
 //! every damper holds all limits, however the rest of it scatters.
 
 use crate::absorber::mounted::with_law;
-use crate::absorber::{Deviation, Law, Mounted, Operating, Sheared, construction};
+use crate::absorber::{Deviation, Law, Medium, Mounted, Operating, construction};
 use crate::analysis::limits_within::broken;
 use crate::drivetrain::natural;
 use crate::input::Study;
@@ -57,9 +57,11 @@ pub(super) fn acceptance(
 ) -> Option<Band> {
     let law = design[index].absorber.law()?;
     let shape = construction::shape(law.declaration())?;
-    let of = match shape.sheared {
-        Sheared::Rubber => Measured::FrequencyHz,
-        Sheared::Oil => Measured::DampingNMSPerRad,
+    let of = match shape.medium {
+        Medium::Rubber | Medium::Leaves | Medium::Coils => Measured::FrequencyHz,
+        Medium::Oil => Measured::DampingNMSPerRad,
+        // what pendulums are tuned to shows at speed alone
+        Medium::Field => return None,
     };
     let drawn = number(of, law.as_ref())?;
     // what is measured stands for hardness or viscosity
@@ -121,7 +123,7 @@ fn number(of: Measured, law: &dyn Law) -> Option<f64> {
     }
 }
 
-/// A design whose damper has this number where it is made so: its modulus or its viscosity, with the relaxation time that is tied to it, is another one.
+/// A design whose damper has this number where it is made so: its modulus, that of its springs, or its viscosity, with the relaxation time that is tied to it, is another one.
 fn with_number((design, index): (&[Mounted], usize), made: &Deviation, of: Measured, measured: f64) -> Option<Vec<Mounted>> {
     let deviated = made.of(design);
     let law = deviated[index].absorber.law()?;
@@ -137,7 +139,7 @@ fn with_number((design, index): (&[Mounted], usize), made: &Deviation, of: Measu
     let shape = construction::shape(law.declaration())?;
     // its values are those that are drawn
     let mut values = law.values();
-    let strength = shape.material().start;
+    let strength = shape.strength()?;
     values[strength] *= factor;
     if of == Measured::DampingNMSPerRad {
         values[strength + 1] *= factor;

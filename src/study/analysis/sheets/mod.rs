@@ -1,4 +1,4 @@
-//! What a damper is ordered by: dimensions, masses, stiffness at the frequency that counts, strain, heat, and how many of those that are made hold the limits.
+//! What a damper is ordered by: dimensions, masses, stiffness at the frequency that counts, strain, stress or swing, heat, and how many of those that are made hold the limits.
 
 mod acceptance;
 mod holding;
@@ -11,14 +11,15 @@ use super::heat::HeatOfDesign;
 use super::required_material::{OnHeldHub, at_own_frequency};
 use super::{DesignResult, Progress};
 use crate::absorber::substance::Outside;
-use crate::absorber::{Law, Mounted, Operating, Parts, Shape, Sheared, Substance, construction};
+use crate::absorber::{Law, Medium, Mounted, Operating, Parts, Shape, Substance, construction};
 use crate::input::Study;
 use crate::numerics::elementary::Elementary;
 use crate::objective::{Condition, Measure, Over, PeakFinder, mass};
 use crate::optimise::{LoadCase, Tolerances, largest};
 use crate::response::{Quantity, ResponseError, Work};
-use crate::units::{HZ_PER_RAD_PER_S, RAD_PER_S_PER_RPM};
+use crate::units::{HZ_PER_RAD_PER_S, M_PER_MM, RAD_PER_S_PER_RPM};
 use rayon::prelude::*;
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A damper by its dimensions, as it is ordered, SI.
@@ -46,8 +47,12 @@ pub struct Sheet {
     /// Of all of it, kg.
     pub mass: f64,
     /// Of what is sheared, kg.
-    pub sheared_mass: f64,
-    /// Stiffness at no frequency, N m/rad, of rubber.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sheared_mass: Option<f64>,
+    /// Of the springs, kg.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spring_mass: Option<f64>,
+    /// Stiffness at no frequency, N m/rad, of rubber and springs.
     pub static_stiffness: Option<f64>,
     /// Damping at low frequency, N m s/rad, of oil.
     pub damping: Option<f64>,
@@ -56,10 +61,15 @@ pub struct Sheet {
     pub on_held_hub: Option<OnHeldHub>,
     /// In each condition of the study: at the frequency of the largest order at the peak of the twist.
     pub at_peak: Vec<AtPeak>,
-    /// Largest shear strain in the conditions that a design is to hold in.
-    pub strain: f64,
-    /// Shear stress of that strain, Pa, where it is largest, with the largest modulus of `at_peak`.
-    pub stress: f64,
+    /// Largest shear strain in the conditions that a design is to hold in, of rubber and oil.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strain: Option<f64>,
+    /// Shear stress of that strain, Pa, where it is largest, with the largest modulus of `at_peak`; of springs the largest stress in the same conditions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stress: Option<f64>,
+    /// Of pendulum masses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub swing: Option<Swing>,
     /// Largest mean power in the same conditions, W.
     pub power: f64,
     /// Largest temperature that is reached from cold, °C, where it is told what cools it; infinite where it overheats.
@@ -71,6 +81,23 @@ pub struct Sheet {
     pub holding: Option<Holding>,
     /// The number that a maker measures, and within what every damper holds all limits.
     pub acceptance: Option<Band>,
+}
+
+/// Pendulum masses, and how far they swing.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Swing {
+    /// Order that they are tuned to.
+    pub tuning_order: f64,
+    /// Of the centre of each from the axis, m.
+    pub centre_radius: f64,
+    /// Mass of each, kg.
+    pub each: f64,
+    /// Largest arc of a centre to each side, m, in the conditions that a design is to hold in.
+    pub arc: f64,
+    /// The same as the angle of the path, rad.
+    pub angle: f64,
+    /// Largest radius that a corner of a mass comes to, m, its path being a circle.
+    pub reach: f64,
 }
 
 /// The dynamic stiffness that counts in a condition.
@@ -135,16 +162,18 @@ fn sheet(
     let substance = law.material().and_then(|m| m.substance.clone());
     let values = law.values();
     let dimensions: Vec<(&'static str, f64)> =
-        shape.declaration.parameters.iter().map(|p| p.key).zip(values.iter().copied()).take(shape.material().start).collect();
+        shape.declaration.parameters.iter().map(|p| p.key).zip(values.iter().copied()).take(shape.drawn().len()).collect();
     let at_peak = at_peaks(study, finder, (d, absorber));
     // the worst of the conditions, which all have the same dimensions
     let worst = |over: Over| {
         let measure = Measure::new(vec![Quantity::RingTwist(absorber)], over);
         largest(cases.iter(), &d.absorbers, &measure, &mut Work::default())
     };
-    let (strain, power) = (parts.strain_per_twist * worst(Over::Synthesis)?, worst(Over::Power)?);
+    let (twist, power) = (worst(Over::Synthesis)?, worst(Over::Power)?);
+    let strain = law.strain_per_twist().map(|by| by * twist);
     let modulus_of = |p: &AtPeak| p.stiffness.hypotenuse(p.loss_stiffness) / parts.factor;
     let modulus = at_peak.iter().map(modulus_of).fold(0.0, f64::max);
+    let stress = strain.map(|s| modulus * s).or_else(|| law.stress_per_twist().map(|by| by * twist));
     let mass = mass(law.as_ref(), parts);
     let celsius = heat.iter().find(|h| h.design == d.name && h.absorber == absorber).map(|h| {
         let reached = |p: &super::HeatAt| p.cold_start().map_or(f64::INFINITY, |b| b.celsius);
@@ -153,7 +182,7 @@ fn sheet(
     let temperatures = [study.temperatures.cold, study.temperatures.hot, celsius.filter(|c| c.is_finite())];
     let temperatures: Vec<f64> = temperatures.into_iter().flatten().collect();
     let frequencies: Vec<f64> = at_peak.iter().map(|p| p.frequency_hz).collect();
-    let outside = substance.as_ref().map_or_else(Vec::new, |s| s.valid.outside(&frequencies, &temperatures, strain));
+    let outside = substance.as_ref().map_or_else(Vec::new, |s| s.valid.outside(&frequencies, &temperatures, strain.unwrap_or(0.0)));
     let scatter = study.robust.as_ref().map_or_else(Vec::new, |r| r.scatter());
     let tolerances = Tolerances::scattered_of(&d.absorbers, &scatter);
     let is_made = tolerances.edges() > 0 && study.limits.iter().any(|l| !l.of.measure.is_inertia());
@@ -166,16 +195,18 @@ fn sheet(
         absorber,
         kind: shape.declaration.name,
         shape,
+        swing: (shape.medium == Medium::Field).then(|| swing(parts, &dimensions, twist)),
         dimensions,
         ring_inertia: law.ring_inertia(),
-        sheared_mass: mass - parts.ring_mass - parts.hub_mass,
+        sheared_mass: shape.medium.is_sheared().then_some(mass - parts.ring_mass - parts.hub_mass),
+        spring_mass: shape.medium.is_spring().then_some(mass - parts.ring_mass - parts.hub_mass),
         mass,
-        static_stiffness: (shape.sheared == Sheared::Rubber).then(|| static_stiffness(law.as_ref())),
-        damping: (shape.sheared == Sheared::Oil).then(|| damping(law.as_ref())),
+        static_stiffness: (shape.medium == Medium::Rubber || shape.medium.is_spring()).then(|| static_stiffness(law.as_ref())),
+        damping: (shape.medium == Medium::Oil).then(|| damping(law.as_ref())),
         on_held_hub: at_own_frequency(&mounted.absorber),
         at_peak,
         strain,
-        stress: modulus * strain,
+        stress,
         power,
         celsius,
         outside,
@@ -184,6 +215,23 @@ fn sheet(
         parts: *parts,
         substance,
     })
+}
+
+/// Of pendulum masses whose ring has this twist, rad.
+fn swing(parts: &Parts<f64>, dimensions: &[(&'static str, f64)], twist: f64) -> Swing {
+    let of = |key: &str| dimensions.iter().find(|d| d.0 == key).map_or(0.0, |d| d.1);
+    let (arc, path) = (parts.radius * twist, of("path_radius_mm") * M_PER_MM);
+    let (corner, angle) = (PI * of("filled_share") / of("masses"), arc / path);
+    let (outward, along) =
+        (parts.ring[1] * corner.cosine() - path * (1.0 - angle.cosine()), parts.ring[1] * corner.sine() + path * angle.sine());
+    Swing {
+        tuning_order: parts.factor.max(0.0).sqrt(),
+        centre_radius: parts.radius,
+        each: parts.ring_mass / of("masses"),
+        arc,
+        angle,
+        reach: outward.hypotenuse(along),
+    }
 }
 
 /// Real part of S at no frequency, N m/rad.

@@ -171,7 +171,7 @@ fn bounds(p: &Parameter) -> Value {
     let one = |key: &str, inner: Value| json!({ "type": "object", "properties": { key: inner }, "required": [key], "additionalProperties": false });
     let pair = json!({ "type": "array", "description": "Two bounds.", "items": item, "minItems": 2, "maxItems": 2 });
     // of dimensions the best of some steps may be taken
-    let is_dimension = SHAPES.iter().any(|s| s.declaration.parameters[..s.material().start].iter().any(|d| d.key == p.key));
+    let is_dimension = SHAPES.iter().any(|s| s.drawn().iter().any(|d| d.key == p.key));
     let steps =
         json!({ "type": "array", "description": "Steps, of which the best is taken.", "items": item, "minItems": 1, "uniqueItems": true });
     let steps = is_dimension.then(|| one("each", steps));

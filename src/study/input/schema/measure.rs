@@ -224,9 +224,9 @@ of_orders!(RawSpringStress {
     /// The absorber by its number.
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
-    /// Stress of the springs per twist of the ring, from their drawing.
+    /// Stress of the springs per twist of the ring, from their drawing; without it that of `leaf_springs` or `coil_springs` by their dimensions.
     #[schemars(transform = POSITIVE.of_number(), extend("examples" = [180]))]
-    mpa_per_deg: At<f64>,
+    mpa_per_deg: Option<At<f64>>,
 } limited {
     /// Largest value allowed.
     #[schemars(transform = POSITIVE.of_number(), extend("examples" = [400]))]
@@ -359,9 +359,9 @@ pub(crate) enum RawMeasure {
     RingTwist(RawRingTwist),
     /// Shear strain of an absorber's element.
     ElementStrain(RawStrain),
-    /// Shear strain of the rubber of an absorber, by its dimensions; oil has none that counts.
+    /// Shear strain of the rubber of an absorber, by its dimensions; oil has none that counts, springs and pendulums have none.
     Strain(RawOwnStrain),
-    /// Stress of an absorber's springs by the twist of its ring.
+    /// Stress of an absorber's springs by the twist of its ring: bending of leaves at the clamp, shear of coils.
     SpringStress(RawSpringStress),
     /// Life of what an absorber shears, over the duty.
     Life(RawLifeOf),

@@ -36,7 +36,7 @@ pub(crate) struct RawCost {
     /// Whatever the size, in the currency of the tables of compounds and oils, whose prices are added.
     #[schemars(transform = NOT_NEGATIVE.of_number(), extend("default" = 0, "examples" = [20]))]
     pub fixed: Option<At<f64>>,
-    /// Per kg of the ring.
+    /// Per kg of the ring, of springs and of pendulum masses.
     #[schemars(transform = NOT_NEGATIVE.of_number(), extend("examples" = [3]))]
     pub ring_per_kg: At<f64>,
     /// Per kg of a housing.

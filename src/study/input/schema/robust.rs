@@ -63,7 +63,7 @@ fn scattered_keys() -> Vec<&'static str> {
 /// Keys of what a process scatters: dimensions, and what of a compound or oil does.
 pub(crate) fn process_keys() -> Vec<&'static str> {
     let mut keys: Vec<&'static str> = Vec::new();
-    let dimensions = SHAPES.iter().flat_map(|s| s.declaration.parameters[..s.material().start].iter().map(|p| p.key));
+    let dimensions = SHAPES.iter().flat_map(|s| s.drawn().iter().map(|p| p.key));
     for key in dimensions.chain([HARDNESS, VISCOSITY]) {
         if !keys.contains(&key) {
             keys.push(key);

@@ -2,6 +2,7 @@
 
 use super::material_states::{Known, Temperatures, material, of_measured};
 use super::named::{station, table};
+use super::rooms::made;
 use super::substances::Substances;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::construction::shape;
@@ -201,7 +202,7 @@ fn declared(
     let names = raw.material.as_ref().and_then(|m| m.get_ref().of.as_ref());
     let shape = shape(declaration);
     let named = names.zip(shape).and_then(|(names, shape)| match names.get_ref().as_slice() {
-        [name] => substances.find(&mut Check::new(check.source), name, shape.sheared),
+        [name] => substances.find(&mut Check::new(check.source), name, shape.medium),
         list => {
             check.wrong(names, format!("found {} names, expected one compound or oil of a given design", list.len()));
             None
@@ -228,7 +229,13 @@ fn declared(
             format!("found `{}` without {}, expected them, or a compound or oil as `material.of`", declaration.name, missing.join(", ")),
         );
     }
-    (list.len() == declaration.parameters.len()).then(|| (declaration.build)(&list))
+    if list.len() != declaration.parameters.len() {
+        return None;
+    }
+    if let (Some(shape), Some(Some(at))) = (shape, values.get(1)) {
+        made(check, at, (shape, &list));
+    }
+    Some((declaration.build)(&list))
 }
 
 /// A ring on measured values, which the study's frequencies and temperatures may not leave.

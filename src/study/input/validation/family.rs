@@ -2,6 +2,7 @@
 
 use super::absorbers::{engine_mode, value};
 use super::material_states::{Known, MaterialSpec, Temperatures, material};
+use super::rooms::{first_value, rooms};
 use crate::absorber::construction::shape;
 use crate::absorber::geometry::ring_inertia;
 use crate::absorber::types::GIVEN_ONLY;
@@ -23,11 +24,6 @@ pub enum Size {
     /// Free between bounds.
     Between(f64, f64),
 }
-
-/// A parameter by its key with its bounds.
-type Bounds = (&'static str, (f64, f64));
-/// A dimension by its key with its steps.
-type Steps = (&'static str, Vec<f64>);
 
 /// A family of absorbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,7 +114,11 @@ pub(super) fn family(
     let materials = materials(check, &raw.material, (&types, None), known);
     let bounds = bounds_of(check, raw, &types);
     let steps = steps(check, raw, &types);
-    rooms(check, raw, (&types, &size), (&bounds, &steps));
+    let largest_ring = match &size {
+        Size::Each(list) => list.iter().copied().fold(0.0, f64::max),
+        Size::Between(_, most) => *most,
+    };
+    rooms(check, raw, (&types, largest_ring), (&bounds, &steps));
     Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, steps, materials, temperatures, whole_chain })
 }
 
@@ -244,7 +244,7 @@ fn bounds_of(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaratio
         };
         let given = |key: &str| of_material(t, key) || of_table(key) || raw.bounds.iter().any(|b| b.0 == key);
         for p in t.parameters.iter().filter(|p| p.material && !given(p.key)) {
-            let dimension = shape(t).is_some_and(|s| !s.material().contains(&t.index(p.key).unwrap_or(0)));
+            let dimension = shape(t).zip(t.index(p.key)).is_some_and(|(s, i)| s.is_dimension(i));
             let what = if dimension { "a dimension" } else { "a property of its material" };
             let words = format!("found type `{}` without `{}`, {} that no default can decide", t.name, p.key, what);
             let help =
@@ -257,7 +257,7 @@ fn bounds_of(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaratio
 
 /// Whether a key is that of a dimension.
 fn is_dimension(types: &[&'static Declaration], key: &str) -> bool {
-    let of = |t: &&'static Declaration| shape(t).zip(t.index(key)).is_some_and(|(s, i)| !s.material().contains(&i));
+    let of = |t: &&'static Declaration| shape(t).zip(t.index(key)).is_some_and(|(s, i)| s.is_dimension(i));
     types.iter().any(of)
 }
 
@@ -285,39 +285,6 @@ fn steps(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaration]) 
     all
 }
 
-/// Whether each type by its dimensions has room for what it is made of, wherever its bounds lie: its bore is smallest where the outer diameter is least and all else is most.
-fn rooms(check: &mut Check, raw: &RawOptimised, (types, size): (&[&'static Declaration], &Size), (bounds, steps): (&[Bounds], &[Steps])) {
-    let largest_ring = match size {
-        Size::Each(list) => list.iter().copied().fold(0.0, f64::max),
-        Size::Between(_, most) => *most,
-    };
-    for shape in types.iter().filter_map(|t| shape(t)) {
-        let end = |p: &Parameter, i: usize| -> Option<f64> {
-            let stepped = || {
-                steps
-                    .iter()
-                    .find(|s| s.0 == p.key)
-                    .map(|s| s.1.iter().fold((f64::INFINITY, 0.0), |m: (f64, f64), x| (m.0.min(*x), m.1.max(*x))))
-            };
-            let (low, high) = bounds.iter().find(|b| b.0 == p.key).map(|b| b.1).or_else(stepped)?;
-            Some(if i == 1 { low } else { high })
-        };
-        let dimensions = &shape.declaration.parameters[..shape.material().start];
-        let Some(corner) = dimensions.iter().enumerate().skip(1).map(|(i, p)| end(p, i)).collect::<Option<Vec<f64>>>() else { continue };
-        let values: Vec<f64> = std::iter::once(largest_ring).chain(corner).collect();
-        let bore = shape.parts_of(&values).bore / M_PER_MM;
-        let at = raw.bounds.iter().find(|b| b.0 == dimensions[1].key).and_then(|b| first_value(&b.1));
-        if let Some(at) = at.filter(|_| bore <= 0.0) {
-            let name = shape.declaration.name;
-            check.wrong_with_help(
-                at,
-                format!("found bounds of `{name}` that leave no room inside: its bore would be {bore:.1} mm, expected it above zero wherever the bounds lie"),
-                "half the least outer diameter has to be more than all walls, gaps and rubber at their most",
-            );
-        }
-    }
-}
-
 /// Whether bounds lie in the range of a parameter; signs were looked at.
 fn in_range(check: &mut Check, parameter: &Parameter, range: &RawRange) {
     if parameter.range == Range::NotNegative {
@@ -332,13 +299,5 @@ fn in_range(check: &mut Check, parameter: &Parameter, range: &RawRange) {
                 value(check, parameter, v);
             }
         }
-    }
-}
-
-/// Where a range begins in the file.
-fn first_value(range: &RawRange) -> Option<&At<f64>> {
-    match range {
-        RawRange::Fixed(v) => Some(v),
-        RawRange::Between(list) | RawRange::Each(list) => list.get_ref().first(),
     }
 }

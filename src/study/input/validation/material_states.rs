@@ -3,6 +3,7 @@
 pub(crate) use super::material_laws::Temperatures;
 use super::material_laws::{celsius, cooling, kraus, law, strain_life};
 use super::substances::{Substances, named, reaches};
+use crate::absorber::construction::shape;
 use crate::absorber::parameter::STIFFNESS;
 use crate::absorber::{
     Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, State, StrainLife, Substance, TYPES, TemperatureLaw, Thermal,
@@ -151,6 +152,11 @@ pub(super) fn material(
     let cooling = raw.cooling.as_ref().and_then(|c| cooling(check, c, (&laws, &limits), declaration));
     if let (Some(at), Some(_)) = (&raw.geometry, sheared) {
         check.wrong(at, "found what is sheared a second time, expected `geometry` in the [[catalogue]] or in its materials");
+    }
+    if let Some(at) = &raw.geometry
+        && shape(declaration).is_some_and(|s| !s.medium.is_sheared())
+    {
+        check.wrong(at, format!("found what is sheared of `{}`, expected nothing: its dimensions say what carries it", declaration.name));
     }
     let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g)).or(sheared);
     let amplitude = raw.amplitude.as_ref().map(|a| amplitude(check, a, (declaration, geometry)));

@@ -27,6 +27,7 @@ mod placeholders;
 mod published;
 mod ranges;
 mod robust;
+mod rooms;
 mod rows;
 pub(super) mod sizing;
 mod substances;
@@ -289,7 +290,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         cooled: &Context::cooled(&given, optimise.as_ref()),
         balanced: &Context::balanced(&given, optimise.as_ref()),
         lives: &Context::lives(&given, optimise.as_ref()),
-        by_dimensions: &Context::by_dimensions(&given, optimise.as_ref()),
+        media: &Context::media(&given, optimise.as_ref()),
         unread: given.is_empty() && !study.catalogue.is_empty(),
         has_duty: !study.duty.is_empty(),
         unequal: material_states::conditions(study).any(|c| c.get_ref().0.burning() != Burning::Alike),

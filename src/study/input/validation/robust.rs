@@ -3,7 +3,7 @@
 use super::absorbers::DesignSpec;
 use super::optimise::{OptimiseSpec, effort};
 use crate::absorber::construction::shape;
-use crate::absorber::{Declaration, Sheared};
+use crate::absorber::{Declaration, Medium};
 use crate::input::error::{At, Check};
 use crate::input::measure::LimitSpec;
 use crate::input::schema::bounds::{PERCENTILE, SAMPLES, SCATTER_OF_HARDNESS, SCATTER_OF_VISCOSITY, TOLERANCE, YIELD_PERCENT};
@@ -182,11 +182,11 @@ fn process(check: &mut Check, raw: &RawRobust, types: &[&'static Declaration]) -
     let mut list = Vec::new();
     for (key, amount) in raw.process.iter().flat_map(|p| p.get_ref()) {
         let known = process_keys().into_iter().find(|known| known == key);
-        let has = |kind: Sheared| types.iter().any(|t| shape(t).is_some_and(|s| s.sheared == kind));
+        let has = |medium: Medium| types.iter().any(|t| shape(t).is_some_and(|s| s.medium == medium));
         let is_had = match key.as_str() {
-            HARDNESS => has(Sheared::Rubber),
-            VISCOSITY => has(Sheared::Oil),
-            _ => types.iter().any(|t| shape(t).zip(t.index(key)).is_some_and(|(s, i)| !s.material().contains(&i))),
+            HARDNESS => has(Medium::Rubber),
+            VISCOSITY => has(Medium::Oil),
+            _ => types.iter().any(|t| shape(t).zip(t.index(key)).is_some_and(|(s, i)| s.is_dimension(i))),
         };
         let Some(known) = known.filter(|_| is_had) else {
             let expected = process_keys().join(", ");

@@ -2,8 +2,8 @@
 
 use super::material_laws::{Temperatures, celsius, kraus, law, strain_life};
 use super::named::file;
-use crate::absorber::construction::shape;
-use crate::absorber::{Declaration, SHAPES, Sheared, Substance, Valid};
+use crate::absorber::construction::{shape, words_of};
+use crate::absorber::{Declaration, Medium, Substance, Valid};
 use crate::input::error::{At, Check, InputError, Source};
 use crate::input::schema::bounds::{Bounds, DENSITY, EXPONENT, FLOW_INDEX, GLASS_RATIO, NOT_NEGATIVE, SHORE_A, TEMPERATURE};
 use crate::input::schema::material_states::{RawAmplitude, RawMaterialStates};
@@ -26,17 +26,18 @@ const M2_PER_MM2: f64 = 1e-6;
 pub(crate) struct Substances(Vec<Arc<Substance>>);
 
 impl Substances {
-    /// One by its name; a mistake with what exists of its kind where there is none.
-    pub(super) fn find(&self, check: &mut Check, name: &At<String>, sheared: Sheared) -> Option<Arc<Substance>> {
+    /// One by its name; a mistake with what exists of its kind where there is none. None of what is no compound and no oil.
+    pub(super) fn find(&self, check: &mut Check, name: &At<String>, medium: Medium) -> Option<Arc<Substance>> {
         let found = self.0.iter().find(|s| s.name == *name.get_ref());
-        if let Some(found) = found.filter(|s| s.sheared == sheared) {
+        if let Some(found) = found.filter(|s| s.medium == medium) {
             return Some(found.clone());
         }
-        let (kind, other) = match sheared {
-            Sheared::Rubber => ("a compound of rubber", "an oil"),
-            Sheared::Oil => ("an oil", "a compound of rubber"),
+        let (kind, other) = match medium {
+            Medium::Rubber => ("a compound of rubber", "an oil"),
+            Medium::Oil => ("an oil", "a compound of rubber"),
+            Medium::Leaves | Medium::Coils | Medium::Field => return None,
         };
-        let names: Vec<&str> = self.0.iter().filter(|s| s.sheared == sheared).map(|s| s.name.as_str()).collect();
+        let names: Vec<&str> = self.0.iter().filter(|s| s.medium == medium).map(|s| s.name.as_str()).collect();
         let is = if found.is_some() { format!(", {other}") } else { String::new() };
         check.wrong_with_help(name, format!("found `{}`{is}, expected {kind}", name.get_ref()), format!("there are {}", names.join(", ")));
         None
@@ -120,7 +121,7 @@ fn of_rubber<'r>(check: &mut Check, raw: &'r RawRubber) -> Vec<(Substance, &'r A
         let substance = Substance {
             name: grade.name.get_ref().clone(),
             about: raw.about.get_ref().clone(),
-            sheared: Sheared::Rubber,
+            medium: Medium::Rubber,
             grade: check.within(&grade.hardness_shore_a, &SHORE_A),
             values: vec![
                 ("relaxed_modulus_mpa", modulus),
@@ -169,7 +170,7 @@ fn of_oil<'r>(check: &mut Check, raw: &'r RawOil) -> Vec<(Substance, &'r At<Stri
         let substance = Substance {
             name: grade.name.get_ref().clone(),
             about: raw.about.get_ref().clone(),
-            sheared: Sheared::Oil,
+            medium: Medium::Oil,
             grade: viscosity,
             values: vec![
                 ("viscosity_pa_s", viscosity * M2_PER_MM2 * density),
@@ -236,11 +237,15 @@ fn sources(check: &mut Check, raw: &BTreeMap<String, At<String>>, keys: &[&str],
 /// Compounds or oils by their names.
 pub(super) fn named(check: &mut Check, raw: &RawMaterialStates, declaration: &Declaration, substances: &Substances) -> Vec<Arc<Substance>> {
     let Some(at) = &raw.of else { return Vec::new() };
-    let Some(shape) = shape(declaration) else {
-        let known: Vec<&str> = SHAPES.iter().map(|s| s.declaration.name).collect();
+    let Some(shape) = shape(declaration).filter(|s| s.medium.is_sheared()) else {
+        let known = words_of(Medium::is_sheared);
         check.wrong(
             at,
-            format!("found a compound or oil of `{}`, expected one of a type by its dimensions: {}", declaration.name, known.join(", ")),
+            format!(
+                "found a compound or oil of `{}`, expected one of a type on rubber or oil by its dimensions: {}",
+                declaration.name,
+                known.join(", ")
+            ),
         );
         return Vec::new();
     };
@@ -252,7 +257,7 @@ pub(super) fn named(check: &mut Check, raw: &RawMaterialStates, declaration: &De
     }
     let mut list: Vec<Arc<Substance>> = Vec::new();
     for name in at.get_ref() {
-        let Some(found) = substances.find(check, name, shape.sheared) else { continue };
+        let Some(found) = substances.find(check, name, shape.medium) else { continue };
         if list.iter().any(|s| s.name == found.name) {
             check.wrong(name, format!("found `{}` a second time, expected each once", found.name));
         }

@@ -1,7 +1,7 @@
 //! What measures are resolved against.
 
 use crate::absorber::construction::shape;
-use crate::absorber::{Cooling, Declaration, Mounted};
+use crate::absorber::{Cooling, Declaration, Medium, Mounted};
 use crate::crankshaft::FatigueSpec;
 use crate::drivetrain::Chain;
 use crate::engine::Order;
@@ -64,8 +64,8 @@ pub(crate) struct Context<'a> {
     pub balanced: &'a [usize],
     /// Of each absorber whether every type that is optimised and every design says how many cycles of strain it bears.
     pub lives: &'a [bool],
-    /// Of each absorber whether some type or design of it is given by its dimensions.
-    pub by_dimensions: &'a [bool],
+    /// Of each absorber what carries its ring, in every type and design of it that is given by its dimensions.
+    pub media: &'a [Vec<Medium>],
     /// Whether a catalogue has rows that could not be read, and no other design was.
     pub unread: bool,
     /// Whether the study has a duty.
@@ -125,13 +125,13 @@ impl<'a> Context<'a> {
             .collect()
     }
 
-    /// Of each absorber whether some type or design of it is given by its dimensions.
-    pub fn by_dimensions(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
+    /// Of each absorber what carries its ring, in every type and design of it that is given by its dimensions.
+    pub fn media(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<Vec<Medium>> {
         let count = Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise);
-        let searched = |i: usize| optimise.and_then(|o| o.absorbers.get(i)).is_some_and(|a| a.types.iter().any(|t| shape(t).is_some()));
-        let drawn = |m: &Mounted| m.absorber.law().is_some_and(|l| l.parts().is_some());
-        let given = |i: usize| designs.iter().filter_map(|d| d.absorbers.get(i)).any(drawn);
-        (0..count).map(|i| searched(i) || given(i)).collect()
+        let medium = |t: &'static Declaration| shape(t).map(|s| s.medium);
+        let searched = |i: usize| optimise.and_then(|o| o.absorbers.get(i)).into_iter().flat_map(|a| a.types.iter().copied());
+        let given = |i: usize| designs.iter().filter_map(move |d| d.absorbers.get(i)?.absorber.declaration());
+        (0..count).map(|i| searched(i).chain(given(i)).filter_map(medium).collect()).collect()
     }
 
     pub(super) fn shaft(&self, check: &mut Check, name: &At<String>) -> Option<usize> {

@@ -2,6 +2,7 @@
 
 use super::context::Context;
 use super::names::{Bound, Names, Resolved, spec};
+use super::of_construction::springs;
 use crate::input::error::Check;
 use crate::input::measure::UnitOf;
 use crate::input::schema::measure::{
@@ -32,13 +33,28 @@ pub(super) fn element_strain<'r>(check: &mut Check, s: &'r RawStrain, of: Contex
     })
 }
 
+/// By a stress that is given, in rad of the twist inside; or by the dimensions of the springs, in Pa inside.
 pub(super) fn spring_stress<'r>(check: &mut Check, s: &'r RawSpringStress, of: Context) -> Option<Resolved<'r>> {
-    let per_twist = check.positive(&s.mpa_per_deg) * PA_PER_MPA * DEG_PER_RAD;
-    let over = of.over(check, s.over, s.order.as_ref());
     let place = format!("of {}", Context::ring_words(Some(&s.absorber)));
     let names =
         Names { key: "spring_stress", column: "spring_stress_mpa", word: "spring_stress", what: "vibratory stress of the springs", place };
-    let parts = (of.rings(check, Some(&s.absorber))?, over, of.within(check, s.within()));
+    let (rings, over, per_twist) = match &s.mpa_per_deg {
+        Some(given) => {
+            let per_twist = check.positive(given) * PA_PER_MPA * DEG_PER_RAD;
+            let over = of.over(check, s.over, s.order.as_ref());
+            (of.rings(check, Some(&s.absorber))?, over, per_twist)
+        }
+        None => {
+            if s.over.is_some() || s.order.is_some() {
+                check.wrong(
+                    &s.absorber,
+                    "found `over` or `order` of the stress by the dimensions of springs, expected `mpa_per_deg` beside it: by dimensions it is that of all orders together",
+                );
+            }
+            (springs(check, &s.absorber, of)?, Over::SpringStress, 1.0)
+        }
+    };
+    let parts = (rings, over, of.within(check, s.within()));
     Some(Resolved { spec: spec(names, parts, UnitOf::SpringStress { per_twist }), bound: Bound::Most(s.max_mpa.as_ref()) })
 }
 

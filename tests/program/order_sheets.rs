@@ -5,6 +5,40 @@ use std::fs;
 
 const DRAWN: &str = "[[constraint]]\nstrain = { absorber = 1, max_percent = 16 }\n[[design]]\nname = \"drawn\"\n[[design.absorber]]\non.station = \"pulley\"\ntype.sleeve = { ring_inertia_kg_m2 = 0.076, outer_diameter_mm = 265, ring_wall_mm = 15, rubber_thickness_mm = 12, length_over_width = 0.9, ring_density_kg_m3 = 7200 }\nmaterial.of = [\"vmq_60\"]\n[robust]\nsearch = false\nprocess = { rubber_thickness_mm = 0.3, hardness_shore_a = 5 }\nallocate = {}\n";
 
+const PRICED: &str = "[optimise]\nprices = true\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"sleeve\"]\nsize.ring_inertia_kg_m2.fixed = 0.07\nouter_diameter_mm.fixed = 262\nring_wall_mm.fixed = 13\nring_density_kg_m3.fixed = 7200\nrubber_thickness_mm.between = [4, 20]\nlength_over_width.between = [0.5, 1]\nmaterial.sleeve.of = [\"vmq_60\"]\n";
+
+/// An optimum's page has what limits that are used up are worth, as `limits.csv` has it, and with `prices = true` what is asked costs, in the words of the answer.
+#[test]
+fn prices_stand_on_the_page() {
+    let folder = tempfile::tempdir().expect("folder");
+    let path = variant(folder.path(), "order_i6", &[]);
+    let text = fs::read_to_string(&path).expect("study");
+    let (head, _) = text.split_once("[optimise]").expect("a search");
+    let short = head
+        .replace("from = 600", "from = 1800")
+        .replace("step = 20", "step = 200")
+        .replace("order_limit = 12", "order_limit = 6")
+        .replace("conditions = [\"firing\", \"cold\", \"hot\"]\n", "")
+        .replace("temperatures = { cold_c = -20, hot_c = 90 }\n", "");
+    fs::write(&path, format!("{short}{PRICED}")).expect("written");
+    let out = folder.path().join("out");
+    let run = hartog().arg("run").arg(&path).arg("--out").arg(&out).assert().code(0);
+    let answer = String::from_utf8_lossy(&run.get_output().stdout).split_whitespace().collect::<Vec<_>>().join(" ");
+    let page = fs::read_to_string(out.join("order_optimum_sleeve.html")).expect("a page");
+    let words: Vec<&str> = page.split('<').filter_map(|t| t.split_once('>')).map(|t| t.1.trim()).filter(|t| !t.is_empty()).collect();
+    let words = words.join(" ");
+    let costs = words.split_once("costs: ").expect("what is asked").1.split_once("Assumptions").expect("what is assumed").0;
+    assert!(answer.contains(costs.trim()), "{costs} in {answer}");
+    let mut reader = csv::Reader::from_path(out.join("limits.csv")).expect("a table");
+    let head = reader.headers().expect("a head").clone();
+    let column = |name: &str| head.iter().position(|h| h == name).unwrap_or_else(|| panic!("{name} in {head:?}"));
+    let (design, price) = (column("design"), head.len() - 1);
+    let rows: Vec<csv::StringRecord> = reader.records().map(|r| r.expect("a row")).filter(|r| &r[design] == "optimum_sleeve").collect();
+    let dear = rows.iter().filter_map(|r| r[price].parse::<f64>().ok()).filter(|p| *p > 1e-6).count();
+    assert!(dear > 0, "a limit is used up");
+    assert_eq!(words.matches("of it would bring").count(), dear, "{words}");
+}
+
 /// The tolerances that limits bear stand on the page and in its record as wide as `allocation.csv` has them, to the printed digits.
 #[test]
 fn tolerances_that_limits_bear() {
@@ -79,5 +113,10 @@ fn pages_of_springs_and_pendulums() {
         assert!(!page.contains("shear strain") && !page.contains("Compound") && record["order"].get("strain").is_none(), "{name}");
         assert_eq!(record["order"].get("stress").is_some(), name != "masses");
         assert_eq!(record.get("sheared_volume_l"), None);
+        // e Omega = 6.3 mm/s of the whole mass, at the highest speed of the study
+        let unbalance = record["order"]["mass"].as_f64().expect("a mass") * 6.3e-3 / (3200.0 * std::f64::consts::TAU / 60.0) * 1e6;
+        let told = page.split_once("Balance: ").and_then(|p| p.1.split_once(" g mm would be G 6.3 at 3200 rpm")).expect("a balance").0;
+        assert!((told.parse::<f64>().expect("a number") / unbalance - 1.0).abs() < 6e-3, "{told} {unbalance}");
+        holds(&page, &["To be agreed", "Surface protection", if name == "masses" { "End stops" } else { "Springs: steel" }]);
     }
 }

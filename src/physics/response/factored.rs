@@ -296,29 +296,14 @@ impl<'a> Factored<'a> {
         let excited = self.system.excitation.orders[order];
         let sums = self.sums(design, Operating { omega: excited.omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
         let answers = 2 * self.torque.len() - 1;
-        match sums.as_slice() {
-            [(station, numerator, denominator)] => {
-                // the same as below, of what is asked for alone
-                let under_load = wanted.rows.iter().zip(known);
-                let [load, unit] = [known, wanted.column(*station, known)].map(|y| wanted.answer(*station, y));
-                let element = unit * numerator + denominator;
-                if element == ZERO {
-                    return Err(ResponseError::unbounded(excited, speed_rpm));
-                }
-                let (q, mut x) = (load / element, std::mem::take(&mut self.x));
-                let factor = numerator * q;
-                x.resize(answers, ZERO);
-                under_load.zip(wanted.column(*station, known)).for_each(|((row, y), h)| x[*row] = y - h * factor);
-                x[*station] = q;
-                self.x = x;
-            }
-            _ => {
-                let columns = sums.iter().map(|s| wanted.under_unit(s.0, known, answers)).collect();
-                let absorbers = Absorbers::new(&sums, columns);
-                self.x = absorbers
-                    .and_then(|a| a.put_on(wanted.under_load(known, answers)))
-                    .map_err(|_| ResponseError::unbounded(excited, speed_rpm))?;
-            }
+        let unbounded = |_| ResponseError::unbounded(excited, speed_rpm);
+        if let [sum] = sums.as_slice() {
+            self.x.resize(answers, ZERO);
+            wanted.with_one(*sum, known, &mut self.x).map_err(unbounded)?;
+        } else {
+            let columns = sums.iter().map(|s| wanted.under_unit(s.0, known, answers)).collect();
+            let absorbers = Absorbers::new(&sums, columns);
+            self.x = absorbers.and_then(|a| a.put_on(wanted.under_load(known, answers))).map_err(unbounded)?;
         }
         for (i, quantity) in quantities.iter().enumerate() {
             put(i, self.finite(self.output(*quantity, &self.x), (order, speed_rpm))?);

@@ -1,6 +1,7 @@
 //! A flexible crank without absorbers at speeds that most designs of a search are asked for: those beside its own sharp resonances, which no absorber moves.
 
 use crate::drivetrain::{FlexibleCrank, System};
+use crate::numerics::tridiagonal::Singular;
 use crate::numerics::{C64, ZERO};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -41,14 +42,25 @@ impl Wanted {
         self.stations.iter().position(|s| *s == station).map_or_else(Vec::new, |place| self.whole(1 + place, known, answers))
     }
 
-    /// Answers that are asked for under a unit torque on one of the stations; none of another station.
-    pub(super) fn column<'k>(&self, station: usize, known: &'k [C64]) -> &'k [C64] {
-        self.stations.iter().position(|s| *s == station).map_or(&[], |place| &known[(1 + place) * self.rows.len()..][..self.rows.len()])
-    }
-
-    /// The angle of one of the stations, of some answers that are asked for; zero of another station.
-    pub(super) fn answer(&self, station: usize, of: &[C64]) -> C64 {
-        self.rows.iter().position(|r| *r == station).and_then(|place| of.get(place)).copied().unwrap_or(ZERO)
+    /// Answers that are asked for with absorbers on one station, numerator and denominator of their sum, as [`super::flexible_point::Absorbers`] puts them on: y = y0 - h N q, in place.
+    pub(super) fn with_one(
+        &self,
+        (station, numerator, denominator): (usize, C64, C64),
+        known: &[C64],
+        x: &mut [C64],
+    ) -> Result<(), Singular> {
+        let place = self.stations.iter().position(|s| *s == station).ok_or(Singular { row: 0 })?;
+        let own = self.rows.iter().position(|r| *r == station).ok_or(Singular { row: 0 })?;
+        let (under_load, under_unit) = (known, &known[(1 + place) * self.rows.len()..]);
+        let element = under_unit[own] * numerator + denominator;
+        if element == ZERO {
+            return Err(Singular { row: 0 });
+        }
+        let q = under_load[own] / element;
+        let factor = numerator * q;
+        self.rows.iter().zip(under_load.iter().zip(under_unit)).for_each(|(row, (y, h))| x[*row] = y - h * factor);
+        x[station] = q;
+        Ok(())
     }
 
     fn whole(&self, load: usize, known: &[C64], answers: usize) -> Vec<C64> {

@@ -3,12 +3,12 @@
 use hartog::absorber::{Absorber, Host, Maxwell, Mounted};
 use hartog::analysis::Silent;
 use hartog::analysis::curves::curves;
-use hartog::crankshaft::flexible::{BearingNodes, Carried, CarriedRing, FlexibleSpec, WebFactors, assemble, throw_stiffness};
+use hartog::crankshaft::flexible::{Assembled, BearingNodes, Carried, CarriedRing, FlexibleSpec, WebFactors, assemble, throw_stiffness};
 use hartog::input::{CrankModel, FlexibleModel, Study};
 use hartog::response::{Direct, Grid, Quantity, Response, Work};
 use hartog::rotor::free_modes::free_modes;
-use hartog::rotor::shaft::Turning;
-use nalgebra::{Complex, DMatrix, DVector};
+use hartog::rotor::shaft::{Shaft, Turning};
+use nalgebra::{Complex, DMatrix, DVector, Vector3};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -37,6 +37,23 @@ fn alone() -> Study {
     study.conditions.clear();
     study.duty.clear();
     study
+}
+
+/// The crank of a study that does not turn and dissipates nothing in its shafts, and its shaft with the flywheel held against torque.
+fn at_rest(study: &Study) -> (Assembled, Shaft) {
+    let mut spec = study.flexible.as_ref().expect("flexible").spec.clone();
+    (spec.rotating, spec.loss_factor) = (false, 0.0);
+    let assembled = assemble(study.crank.as_ref().expect("a crank"), &study.engine, &study.chain, &spec, Carried::All).expect("a crank");
+    let mut shaft = assembled.shaft.clone();
+    shaft.hold(assembled.stations[assembled.stations.len() - 1], [false, false, false, false, false, true]);
+    (assembled, shaft)
+}
+
+/// Motion of all nodes of a shaft at rest under a unit force on a node.
+fn under_unit_force(shaft: &Shaft, node: usize, direction: Vector3<f64>) -> DVector<Complex<f64>> {
+    let component = |i: usize| if i / 6 == node && i % 6 < 3 { direction[i % 6] } else { 0.0 };
+    let force = DVector::from_fn(6 * shaft.len(), |i, _| Complex::new(component(i), 0.0));
+    shaft.response(Turning { omega: 0.0, speed: 0.0 }, &force).expect("held")
 }
 
 /// A throw with free ends and no factors on its webs twists by (L_j + W/2)/(G J_j) + (L_p + W/2)/(G J_p) + 2 R/(E I_edge): Castigliano's theorem, half of each half web counting at twice its stiffness.

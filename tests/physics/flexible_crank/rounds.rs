@@ -1,10 +1,10 @@
 //! What pins and journals of the flexible crank carry at the faces of their webs: against the strains of another model, equilibrium of a throw, and the limit of slow running.
 
 use super::independent::{Model, bent, round};
-use super::{alone, curves};
+use super::{alone, at_rest, curves, under_unit_force};
 use hartog::analysis::Silent;
 use hartog::analysis::curves::{Shown, curves_of};
-use hartog::crankshaft::flexible::{Carried, Cut, SectionLoad, WebLoads, assemble};
+use hartog::crankshaft::flexible::{Cut, SectionLoad, WebLoads};
 use hartog::engine::cycle::{crank_fixed, pin_angles, throw_loads};
 use hartog::input::Study;
 use nalgebra::{Complex, DVector, Vector3};
@@ -73,20 +73,14 @@ fn loads_are_those_of_strains() {
 fn throws_are_in_equilibrium() {
     let study = alone();
     let crank = study.crank.as_ref().expect("a crank");
-    let mut spec = study.flexible.as_ref().expect("flexible").spec.clone();
-    (spec.rotating, spec.loss_factor) = (false, 0.0);
-    let assembled = assemble(crank, &study.engine, &study.chain, &spec, Carried::All).expect("a crank");
-    let mut shaft = assembled.shaft.clone();
-    shaft.hold(assembled.stations[assembled.stations.len() - 1], [false, false, false, false, false, true]);
+    let (assembled, shaft) = at_rest(&study);
     let results = study.run().expect("results");
     let parts = (results.system.flexible.as_deref().expect("flexible"), &results.system.excitation);
     let loads = WebLoads::of_rounds(&assembled, &study.engine, parts).expect("a cylinder");
-    let at = hartog::rotor::shaft::Turning { omega: 0.0, speed: 0.0 };
     let half = 0.5 * crank.pin_length + crank.web_thickness;
     for (on, kind) in [(2, 0), (2, 1), (4, 0)] {
         let (pin, direction) = (assembled.rods[on][0], assembled.directions[on][kind]);
-        let force = DVector::from_fn(6 * shaft.len(), |i, _| C::new(if i / 6 == pin && i % 6 < 3 { direction[i % 6] } else { 0.0 }, 0.0));
-        let motion = shaft.response(at, &force).expect("held");
+        let motion = under_unit_force(&shaft, pin, direction);
         let all = &loads.of_motions(0.0, &vec![motion; results.system.orders()])[0];
         for throw in 0..6 {
             let of = |cut: Cut| -> [f64; 6] { std::array::from_fn(|k| all[6 * (4 * throw + cut as usize) + k].re) };

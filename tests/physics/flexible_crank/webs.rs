@@ -1,7 +1,7 @@
 //! What the webs of the flexible crank carry: against the field of the strains of another model, equilibrium of a throw, and the limit of slow running.
 
 use super::independent::{Model, bent, web_of};
-use super::{alone, designs};
+use super::{alone, at_rest, designs, under_unit_force};
 use hartog::crankshaft::Crank;
 use hartog::crankshaft::flexible::{Bearing, BearingNodes, Carried, LinearBearings, WebFactors, WebLoad, WebLoads, assemble};
 use hartog::input::Study;
@@ -89,17 +89,11 @@ fn web_loads_against_a_model_of_its_own_over_speed() {
 fn throws_are_in_equilibrium() {
     let study = alone();
     let crank = study.crank.as_ref().expect("a crank");
-    let mut spec = study.flexible.as_ref().expect("flexible").spec.clone();
-    (spec.rotating, spec.loss_factor) = (false, 0.0);
-    let assembled = assemble(crank, &study.engine, &study.chain, &spec, Carried::All).expect("a crank");
-    let mut shaft = assembled.shaft.clone();
-    shaft.hold(assembled.stations[assembled.stations.len() - 1], [false, false, false, false, false, true]);
-    let at = hartog::rotor::shaft::Turning { omega: 0.0, speed: 0.0 };
+    let (assembled, shaft) = at_rest(&study);
     let apart = crank.pin_length + crank.web_thickness;
     for (on, kind) in [(2, 0), (2, 1), (4, 0)] {
         let (pin, direction) = (assembled.rods[on][0], assembled.directions[on][kind]);
-        let force = DVector::from_fn(6 * shaft.len(), |i, _| C::new(if i / 6 == pin && i % 6 < 3 { direction[i % 6] } else { 0.0 }, 0.0));
-        let motion = shaft.response(at, &force).expect("held");
+        let motion = under_unit_force(&shaft, pin, direction);
         for (throw, sections) in assembled.sections.iter().enumerate() {
             let [front, rear] = sections.each_ref().map(|s| WebLoad::ALL.map(|load| s.load(load, &motion, 0.0).re));
             let [outwards, tangential] = [0, 1].map(|d| if throw == on && d == kind { 1.0 } else { 0.0 });

@@ -3,10 +3,11 @@
 use crate::construction::{SLEEVE, six};
 use crate::support::system;
 use hartog::Study;
-use hartog::absorber::{Absorber, Mounted};
+use hartog::absorber::{Absorber, Mounted, Operating, TemperatureLaw};
 use hartog::analysis::Sheet;
 use hartog::analysis::sheets::Holding;
 use hartog::objective::PeakFinder;
+use hartog::optimise::{Scatter, Tolerances};
 use hartog::response::{Grid, Method, Receptance, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -43,6 +44,31 @@ fn made(drawn: &[Mounted], (thickness, hardness): (f64, f64)) -> Vec<Mounted> {
     let mut design = drawn.to_vec();
     design[0].absorber = Absorber::Ring(law.rebuilt(&values));
     design
+}
+
+/// Law: so many kelvin warmer, a compound has the time that its law of temperature says (Williams, Landel and Ferry, about the reference), at either end and between, whatever else scatters; its modulus at low frequency stays. Colder ones are stiffer.
+#[test]
+fn temperature_scatters_by_its_law() {
+    let (study, _) = ordered((13.6, 0.51), "uniform");
+    let drawn = &study.designs.iter().find(|d| d.name == "drawn").expect("drawn").absorbers;
+    let law = drawn[0].absorber.law().expect("a law");
+    let substance = law.material().and_then(|m| m.substance.clone()).expect("a compound");
+    let TemperatureLaw::Wlf { c1, c2, .. } = substance.temperature else { unreachable!("rubber") };
+    let tolerances = Tolerances::scattered_of(drawn, &[Scatter::Temperature(20.0), Scatter::Share("relaxation_time_s", 0.1)]);
+    assert_eq!(tolerances.edges(), 2);
+    for (x, share) in [(1.0, 1.0), (-1.0, 0.0), (1.0, -1.0), (0.0, 0.5)] {
+        let factors = &tolerances.at(&[x, share]).factors[0];
+        let place = law.declaration().index("relaxation_time_s").expect("a time");
+        let (warmer, wlf) = (20.0 * x, |t: f64| 10f64.powf(-c1 * t / (c2 + t)));
+        assert!((factors[place] / (wlf(warmer) * (1.0 + 0.1 * share)) - 1.0).abs() < 1e-12, "{x} {share}: {}", factors[place]);
+        assert!((0..factors.len()).filter(|i| *i != place).all(|i| factors[i] == 1.0), "{factors:?}");
+    }
+    let at = |x: f64| {
+        let made = tolerances.at(&[x, 0.0]).of(drawn);
+        let omega = 150.0 * TAU;
+        made[0].absorber.law().expect("a law").dynamic_stiffness(Operating { omega, shaft_speed: omega }).re
+    };
+    assert!(at(-1.0) > at(0.0) && at(0.0) > at(1.0));
 }
 
 /// What of so many dampers counts, by a finder of the study.

@@ -8,7 +8,8 @@ use super::scatter::{HARDNESS, Scatter, modulus_of_hardness};
 use super::search::{self, Finish, Optimum, Recorder};
 use super::{LoadCase, Problem, minimax};
 use crate::absorber::construction::shape;
-use crate::absorber::{Declaration, Deviation, Medium, Mounted, Substance};
+use crate::absorber::parameter::Follows;
+use crate::absorber::{Declaration, Deviation, Medium, Mounted, Parameter, Substance};
 use crate::numerics::elementary::Elementary;
 use crate::numerics::maximise::maximise;
 use crate::objective::{Limit, Measure};
@@ -107,6 +108,14 @@ impl Tolerances {
                         let first = shape(kind).filter(|_| sheared == Some(Medium::Oil))?.material().start;
                         Some((i, vec![first, kind.index(RELAXATION_TIME)?], By::Share(share)))
                     }
+                    Scatter::Temperature(kelvin) => {
+                        let law = (*substance)?.temperature;
+                        let (low, high) = law.range();
+                        let at = |kelvin: f64| law.factor((law.reference() + kelvin).clamp(low, high));
+                        let follows = |p: &(usize, &Parameter)| p.1.follows == Follows::Factor;
+                        let parameters: Vec<usize> = kind.parameters.iter().enumerate().filter(follows).map(|p| p.0).collect();
+                        (!parameters.is_empty()).then(|| (i, parameters, By::Factors(at(kelvin), at(-kelvin))))
+                    }
                 }
             };
             scatter.iter().filter_map(place).collect()
@@ -153,8 +162,13 @@ impl Tolerances {
     pub(super) fn built(&self, values: &[f64]) -> Deviation {
         let mut all = self.at(&vec![0.0; self.edges()]);
         for ((absorber, parameters, is_amount, _), value) in self.ranges().zip(values) {
-            let list = if is_amount { &mut all.amounts } else { &mut all.factors };
-            parameters.iter().for_each(|p| list[absorber][*p] = *value);
+            for p in parameters {
+                if is_amount {
+                    all.amounts[absorber][*p] += value;
+                } else {
+                    all.factors[absorber][*p] *= value;
+                }
+            }
         }
         all
     }
@@ -167,9 +181,9 @@ impl Tolerances {
         for ((absorber, parameters, by), x) in self.edges.iter().zip(point) {
             for parameter in parameters {
                 match *by {
-                    By::Share(share) => factors[*absorber][*parameter] = 1.0 + share * x,
-                    By::Amount(amount) => amounts[*absorber][*parameter] = amount * x,
-                    By::Factors(up, down) => factors[*absorber][*parameter] = if *x >= 0.0 { up.power(*x) } else { down.power(-*x) },
+                    By::Share(share) => factors[*absorber][*parameter] *= 1.0 + share * x,
+                    By::Amount(amount) => amounts[*absorber][*parameter] += amount * x,
+                    By::Factors(up, down) => factors[*absorber][*parameter] *= if *x >= 0.0 { up.power(*x) } else { down.power(-*x) },
                 }
             }
         }

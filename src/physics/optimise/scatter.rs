@@ -11,6 +11,8 @@ pub enum Scatter {
     Hardness(f64),
     /// Viscosity of oil, a share more or less: the relaxation time is tied to it.
     Viscosity(f64),
+    /// Temperature of a compound or oil, K more or less: what follows it changes by the factor of its law about its reference.
+    Temperature(f64),
 }
 
 impl Scatter {
@@ -21,12 +23,13 @@ impl Scatter {
             Self::Amount(key, amount) => Self::Amount(key, amount * factor),
             Self::Hardness(amount) => Self::Hardness(amount * factor),
             Self::Viscosity(share) => Self::Viscosity(share * factor),
+            Self::Temperature(kelvin) => Self::Temperature(kelvin * factor),
         }
     }
 
     /// Share, or amount in the unit of its key.
     pub fn width(self) -> f64 {
-        let (Self::Share(_, x) | Self::Amount(_, x) | Self::Hardness(x) | Self::Viscosity(x)) = self;
+        let (Self::Share(_, x) | Self::Amount(_, x) | Self::Hardness(x) | Self::Viscosity(x) | Self::Temperature(x)) = self;
         x
     }
 }

@@ -267,6 +267,7 @@ fn made(study: &Study, results: &Results, (sheet, medium): (&Sheet, Medium)) -> 
             Scatter::Share(key, _) | Scatter::Amount(key, _) => sheet.dimensions.iter().any(|d| d.0 == *key),
             Scatter::Hardness(_) => medium == Medium::Rubber,
             Scatter::Viscosity(_) => medium == Medium::Oil,
+            Scatter::Temperature(_) => sheet.substance.is_some(),
         };
         rows.extend(spec.scatter().iter().filter(own).map(|s| row("Tolerance", scattered(s))));
     }

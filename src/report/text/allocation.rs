@@ -51,7 +51,7 @@ pub(crate) fn borne(study: &Study, results: &Results, design: &str) -> Vec<Strin
 fn width(s: Scatter) -> String {
     match s {
         Scatter::Share(..) | Scatter::Viscosity(_) => format!("{} %", significant(100.0 * s.width(), 4)),
-        Scatter::Amount(..) | Scatter::Hardness(_) => significant(s.width(), 4),
+        Scatter::Amount(..) | Scatter::Hardness(_) | Scatter::Temperature(_) => significant(s.width(), 4),
     }
 }
 

@@ -45,6 +45,7 @@ pub(crate) fn scattered(s: &Scatter) -> String {
         Scatter::Amount(key, amount) => format!("{key} ±{amount}"),
         Scatter::Hardness(amount) => format!("hardness ±{amount} Shore A"),
         Scatter::Viscosity(own) => share("viscosity", *own),
+        Scatter::Temperature(kelvin) => format!("temperature ±{kelvin} K"),
     }
 }
 

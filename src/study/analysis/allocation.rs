@@ -224,7 +224,7 @@ fn most_times(scatter: Scatter, design: &[Mounted]) -> f64 {
             let values = design.iter().filter_map(|m| m.absorber.value(key));
             values.map(|x| MOST_SHARE * x / amount).fold(f64::INFINITY, f64::min)
         }
-        Scatter::Hardness(_) => f64::INFINITY,
+        Scatter::Hardness(_) | Scatter::Temperature(_) => f64::INFINITY,
     };
     most.min(MOST_TIMES)
 }

@@ -196,7 +196,9 @@ impl Search<'_> {
                 if [range.0, range.1].iter().any(|x| allowed.nearest(built(*x)) != built(*x)) {
                     return None;
                 }
-                values[absorber][*p] = if is_amount { change.plus(&number(drawn)) } else { change.times(&number(drawn)) };
+                // of several that change one parameter each
+                let others = &values[absorber][*p];
+                values[absorber][*p] = if is_amount { change.plus(others) } else { change.times(others) };
             }
         }
         Some(values)

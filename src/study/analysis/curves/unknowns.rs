@@ -72,7 +72,7 @@ pub(super) fn unknowns(study: &Study, system: &System, speed_rpm: f64) -> Result
 const OF_THROW: [&str; 8] = ["rear_fx", "rear_fy", "rear_fz", "rear_mx", "rear_my", "rear_mz", "pin_x", "pin_y"];
 
 /// Loads of the throws that are asked for by their numbers, in axes of each (x outwards, y in the direction of rotation, z along the crank to the rear), N and N m: force and moment of what lies behind it, in the middle of its rear
-/// bearing, and what of rods and inertia acts between its journals, as a force in the middle of the pin. A throw held at its front is loaded so but for the moments of that inertia about the middle of the pin. Nothing of a crank
+/// bearing, and what of rods and inertia acts between its journals, as a force in the middle of the pin. A throw held at its front is loaded so but for its own inertia along the axis, and for the moments of all of it about the middle of the pin. Nothing of a crank
 /// that is not of beams.
 ///
 /// # Errors

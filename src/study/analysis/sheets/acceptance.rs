@@ -58,14 +58,15 @@ pub(super) fn acceptance(
     let law = design[index].absorber.law()?;
     let shape = construction::shape(law.declaration())?;
     let of = match shape.medium {
-        Medium::Rubber | Medium::Leaves | Medium::Coils => Measured::FrequencyHz,
+        Medium::Rubber => Measured::FrequencyHz,
         Medium::Oil => Measured::DampingNMSPerRad,
-        // what pendulums are tuned to shows at speed alone
-        Medium::Field => return None,
+        // what springs scatter are dimensions, by which frequency and stress change in ways of their own; what pendulums are tuned to shows at speed alone
+        Medium::Leaves | Medium::Coils | Medium::Field => return None,
     };
     let drawn = number(of, law.as_ref())?;
-    // what is measured stands for hardness or viscosity
-    let rest: Vec<Scatter> = scatter.iter().copied().filter(|s| !matches!(s, Scatter::Hardness(_) | Scatter::Viscosity(_))).collect();
+    // what is measured stands for hardness or viscosity; temperature is that of the test, then that of the conditions
+    let is_measured = |s: &Scatter| matches!(s, Scatter::Hardness(_) | Scatter::Viscosity(_) | Scatter::Temperature(_));
+    let rest: Vec<Scatter> = scatter.iter().copied().filter(|s| !is_measured(s)).collect();
     let tolerances = Tolerances::scattered_of(design, &rest);
     let points = |random: usize, seed: u64| -> Vec<Vec<f64>> {
         let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
@@ -123,7 +124,7 @@ fn number(of: Measured, law: &dyn Law) -> Option<f64> {
     }
 }
 
-/// A design whose damper has this number where it is made so: its modulus, that of its springs, or its viscosity, with the relaxation time that is tied to it, is another one.
+/// A design whose damper has this number where it is made so: its modulus, or its viscosity, with the relaxation time that is tied to it, is another one.
 fn with_number((design, index): (&[Mounted], usize), made: &Deviation, of: Measured, measured: f64) -> Option<Vec<Mounted>> {
     let deviated = made.of(design);
     let law = deviated[index].absorber.law()?;

@@ -222,15 +222,21 @@ fn swing(parts: &Parts<f64>, dimensions: &[(&'static str, f64)], twist: f64) -> 
     let of = |key: &str| dimensions.iter().find(|d| d.0 == key).map_or(0.0, |d| d.1);
     let (arc, path) = (parts.radius * twist, of("path_radius_mm") * M_PER_MM);
     let (corner, angle) = (PI * of("filled_share") / of("masses"), arc / path);
-    let (outward, along) =
-        (parts.ring[1] * corner.cosine() - path * (1.0 - angle.cosine()), parts.ring[1] * corner.sine() + path * angle.sine());
+    // a corner moves on a circle of the path's radius about this point, and is farthest out in line with it
+    let (outward, along) = (parts.ring[1] * corner.cosine() - path, parts.ring[1] * corner.sine());
+    let comes_in_line = angle >= PI || along * angle.cosine() <= outward * angle.sine();
+    let reach = if comes_in_line {
+        path + outward.hypotenuse(along)
+    } else {
+        (outward + path * angle.cosine()).hypotenuse(along + path * angle.sine())
+    };
     Swing {
         tuning_order: parts.factor.max(0.0).sqrt(),
         centre_radius: parts.radius,
         each: parts.ring_mass / of("masses"),
         arc,
         angle,
-        reach: outward.hypotenuse(along),
+        reach,
     }
 }
 

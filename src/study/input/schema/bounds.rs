@@ -142,6 +142,7 @@ pub(crate) const DENSITY: Bounds = from_to("a density", 500.0, 3000.0, " kg/m³"
 pub(crate) const TOLERANCE: Bounds = from_to("a share", 1e-6, 0.9, ": 0.1 is 10 % more or less");
 pub(crate) const SCATTER_OF_HARDNESS: Bounds = from_to("a hardness", 0.1, 20.0, " Shore A");
 pub(crate) const SCATTER_OF_VISCOSITY: Bounds = from_to("a share", 0.1, 90.0, " %");
+pub(crate) const SCATTER_OF_TEMPERATURE: Bounds = from_to("a temperature", 0.1, 40.0, " K");
 pub(crate) const PERCENTILE: Bounds = from_to("per cent of the designs", 1.0, 99.9, "");
 pub(crate) const YIELD_PERCENT: Bounds = from_to("per cent of the designs", 50.0, 99.9, "");
 pub(crate) const RELATIVE_ERROR: Bounds = from_to("a relative error", 1e-9, 0.1, " (0.001 is 0.1 %)");

@@ -17,7 +17,7 @@ pub(crate) struct RawRobust {
     #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": parameter_keys() },
         "additionalProperties" = TOLERANCE.described("Tolerance of the parameter of this key.", 0.1), "examples" = [{"stiffness_n_m_per_rad": 0.1}]))]
     pub tolerance: Option<At<BTreeMap<String, At<f64>>>>,
-    /// What the making of dampers by their dimensions scatters, more or less: a dimension by its key, in its unit; `hardness_shore_a` of rubber; `viscosity_percent` of oil.
+    /// What the making of dampers by their dimensions scatters, more or less: a dimension by its key, in its unit; `hardness_shore_a` of rubber; `viscosity_percent` of oil; `temperature_k` of either, about its reference.
     #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": process_keys() },
         "additionalProperties" = POSITIVE.described("Tolerance, in the unit of the key.", 0.2),
         "examples" = [{"rubber_thickness_mm": 0.2, "hardness_shore_a": 5}]))]
@@ -64,7 +64,7 @@ fn scattered_keys() -> Vec<&'static str> {
 pub(crate) fn process_keys() -> Vec<&'static str> {
     let mut keys: Vec<&'static str> = Vec::new();
     let dimensions = SHAPES.iter().flat_map(|s| s.drawn().iter().map(|p| p.key));
-    for key in dimensions.chain([HARDNESS, VISCOSITY]) {
+    for key in dimensions.chain([HARDNESS, VISCOSITY, TEMPERATURE]) {
         if !keys.contains(&key) {
             keys.push(key);
         }
@@ -74,6 +74,8 @@ pub(crate) fn process_keys() -> Vec<&'static str> {
 
 /// Key of the scatter of hardness.
 pub(crate) const HARDNESS: &str = "hardness_shore_a";
+/// Key of the scatter of temperature.
+pub(crate) const TEMPERATURE: &str = "temperature_k";
 /// Key of the scatter of viscosity.
 pub(crate) const VISCOSITY: &str = "viscosity_percent";
 

@@ -60,6 +60,7 @@ pub struct Superposed {
     path: PathBuf,
     points: UnitLoadReader,
     loads: Loads,
+    ended: bool,
 }
 
 impl Superposed {
@@ -70,7 +71,7 @@ impl Superposed {
     #[doc(hidden)]
     pub fn open(unit_loads: &Path, loads: &Path) -> Result<Self, InputError> {
         let loads = Loads::read(loads)?;
-        Ok(Self { path: unit_loads.to_path_buf(), points: UnitLoadReader::open(unit_loads, &loads.names)?, loads })
+        Ok(Self { path: unit_loads.to_path_buf(), points: UnitLoadReader::open(unit_loads, &loads.names)?, loads, ended: false })
     }
 }
 
@@ -90,6 +91,14 @@ impl Iterator for Superposed {
             }
             Ok(PointHistory { name, history })
         };
-        self.points.next().map(|point| point.and_then(superposed))
+        if let Some(point) = self.points.next() {
+            return Some(point.and_then(superposed));
+        }
+        // what no point has stresses under was forgotten; told once, at the end
+        if std::mem::replace(&mut self.ended, true) {
+            return None;
+        }
+        let load = self.points.unnamed().next()?;
+        Some(Err(whole(&self.path, format!("found no stresses under the load `{load}`, expected some, or zeros, under each of the loads"))))
     }
 }

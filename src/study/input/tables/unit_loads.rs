@@ -20,6 +20,8 @@ pub(crate) struct UnitLoadReader {
     waiting: Option<Row>,
     /// Hashes of the names so far: eight bytes a point.
     seen: HashSet<u64>,
+    /// Indices of the loads that rows have named.
+    named: HashSet<usize>,
     ended: bool,
 }
 
@@ -37,7 +39,12 @@ impl UnitLoadReader {
     /// [`InputError`] where it cannot be read or a column is missing.
     pub(crate) fn open(path: &Path, loads: &[String]) -> Result<Self, InputError> {
         let stream = Stream::open(path, ["point", "load"], &UNIT_LOADS)?;
-        Ok(Self { stream, loads: loads.to_vec(), waiting: None, seen: HashSet::new(), ended: false })
+        Ok(Self { stream, loads: loads.to_vec(), waiting: None, seen: HashSet::new(), named: HashSet::new(), ended: false })
+    }
+
+    /// Loads that no row has named.
+    pub(crate) fn unnamed(&self) -> impl Iterator<Item = &str> {
+        self.loads.iter().enumerate().filter(|(i, _)| !self.named.contains(i)).map(|(_, load)| load.as_str())
     }
 
     fn row(&mut self) -> Result<Option<Row>, InputError> {
@@ -50,6 +57,7 @@ impl UnitLoadReader {
         let Some(index) = self.loads.iter().position(|l| *l == load) else {
             return Err(self.stream.at(line, 1, format!("found load `{}`, expected one of {}", shown(&load), self.loads.join(", "))));
         };
+        self.named.insert(index);
         Ok(Some(Row { line, point, load: index, tensor: self.stream.tensor(line, &record)? }))
     }
 

@@ -233,7 +233,7 @@ fn declared(
         return None;
     }
     if let (Some(shape), Some(Some(at))) = (shape, values.get(1)) {
-        made(check, at, (shape, &list));
+        made(check, at, (shape, &list), None);
     }
     Some((declaration.build)(&list))
 }

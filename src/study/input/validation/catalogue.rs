@@ -4,6 +4,8 @@ use super::absorbers::DesignSpec;
 use super::family::materials;
 use super::material_states::{Known, MaterialSpec, geometry};
 use super::named::{station, table};
+use super::rooms::made;
+use crate::absorber::construction::shape;
 use crate::absorber::{Absorber, Declaration, Geometry, Material, Mounted, TYPES, WithMaterial};
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
@@ -76,6 +78,9 @@ pub(super) fn resolve(
                         format!("found `{}` in it, while another design is called `{name}`, expected different names", row.name),
                     );
                 }
+            }
+            if let Some(shape) = shape(row.declaration) {
+                made(check, &raw.file, (shape, &row.values), Some(&row.name));
             }
             let law = (row.declaration.build)(&row.values);
             let absorber = Absorber::Ring(WithMaterial::of(law, materials.get(row.declaration.name).unwrap_or(&plain)));

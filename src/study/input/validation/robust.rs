@@ -6,8 +6,10 @@ use crate::absorber::construction::shape;
 use crate::absorber::{Declaration, Medium};
 use crate::input::error::{At, Check};
 use crate::input::measure::LimitSpec;
-use crate::input::schema::bounds::{PERCENTILE, SAMPLES, SCATTER_OF_HARDNESS, SCATTER_OF_VISCOSITY, TOLERANCE, YIELD_PERCENT};
-use crate::input::schema::robust::{HARDNESS, RawAllocate, RawDistribution, RawRobust, VISCOSITY, process_keys};
+use crate::input::schema::bounds::{
+    PERCENTILE, SAMPLES, SCATTER_OF_HARDNESS, SCATTER_OF_TEMPERATURE, SCATTER_OF_VISCOSITY, TOLERANCE, YIELD_PERCENT,
+};
+use crate::input::schema::robust::{HARDNESS, RawAllocate, RawDistribution, RawRobust, TEMPERATURE, VISCOSITY, process_keys};
 use crate::optimise::{Effort, Scatter, Tolerances};
 
 /// Tolerances of a study.
@@ -86,12 +88,12 @@ pub(super) fn resolve(
     if raw.tolerance.is_none() && raw.process.is_none() {
         check.wrong(place, "found [robust] without a tolerance, expected `tolerance` or `process`");
     }
-    let process = process(check, raw, &types);
+    let process = process(check, raw, &types, &|key| least(key, optimise, designs));
     for (key, amount) in raw.process.iter().flat_map(|p| p.get_ref()).filter(|p| shares.iter().any(|s| s.0 == p.0)) {
         check.wrong(amount, format!("found `{key}` under `process` and `tolerance`, expected it under one of them"));
     }
     let scatters = |t: &&'static Declaration, s: &Scatter| {
-        Tolerances::scattered(&[Some((t, None))], &[*s]).edges() > 0 || matches!(s, Scatter::Hardness(_))
+        Tolerances::scattered(&[Some((t, None))], &[*s]).edges() > 0 || matches!(s, Scatter::Hardness(_) | Scatter::Temperature(_))
     };
     let of_type = |t: &&'static Declaration| {
         shares.iter().filter(|s| t.index(s.0).is_some()).count() + process.iter().filter(|s| scatters(t, s)).count()
@@ -131,6 +133,7 @@ pub fn scatter_key(s: &Scatter) -> &'static str {
         Scatter::Share(key, _) | Scatter::Amount(key, _) => key,
         Scatter::Hardness(_) => HARDNESS,
         Scatter::Viscosity(_) => VISCOSITY,
+        Scatter::Temperature(_) => TEMPERATURE,
     }
 }
 
@@ -177,8 +180,18 @@ fn allocate(check: &mut Check, raw: &At<RawAllocate>, (spec, limits): (&RobustSp
     Some(AllocateSpec { holding, costs })
 }
 
-/// What a process scatters.
-fn process(check: &mut Check, raw: &RawRobust, types: &[&'static Declaration]) -> Vec<Scatter> {
+/// The least that a dimension may be, of given designs and of bounds and steps; infinite where nothing has it.
+fn least(key: &str, optimise: Option<&OptimiseSpec>, designs: &[&DesignSpec]) -> f64 {
+    let given = designs.iter().flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.value(key));
+    let searched = optimise.into_iter().flat_map(|o| &o.absorbers).flat_map(|a| {
+        let bounds = a.bounds.iter().filter(|b| b.0 == key).map(|b| b.1.0);
+        bounds.chain(a.steps.iter().filter(|s| s.0 == key).flat_map(|s| s.1.iter().copied()))
+    });
+    given.chain(searched).fold(f64::INFINITY, f64::min)
+}
+
+/// What a process scatters; `least`: of a dimension by its key.
+fn process(check: &mut Check, raw: &RawRobust, types: &[&'static Declaration], least: &dyn Fn(&str) -> f64) -> Vec<Scatter> {
     let mut list = Vec::new();
     for (key, amount) in raw.process.iter().flat_map(|p| p.get_ref()) {
         let known = process_keys().into_iter().find(|known| known == key);
@@ -186,6 +199,7 @@ fn process(check: &mut Check, raw: &RawRobust, types: &[&'static Declaration]) -
         let is_had = match key.as_str() {
             HARDNESS => has(Medium::Rubber),
             VISCOSITY => has(Medium::Oil),
+            TEMPERATURE => has(Medium::Rubber) || has(Medium::Oil),
             _ => types.iter().any(|t| shape(t).zip(t.index(key)).is_some_and(|(s, i)| s.is_dimension(i))),
         };
         let Some(known) = known.filter(|_| is_had) else {
@@ -199,7 +213,17 @@ fn process(check: &mut Check, raw: &RawRobust, types: &[&'static Declaration]) -
         list.push(match known {
             HARDNESS => Scatter::Hardness(check.within(amount, &SCATTER_OF_HARDNESS)),
             VISCOSITY => Scatter::Viscosity(0.01 * check.within(amount, &SCATTER_OF_VISCOSITY)),
-            key => Scatter::Amount(key, check.positive(amount)),
+            TEMPERATURE => Scatter::Temperature(check.within(amount, &SCATTER_OF_TEMPERATURE)),
+            key => {
+                let (own, least) = (check.positive(amount), least(key));
+                if own >= least {
+                    check.wrong(
+                        amount,
+                        format!("found a scatter of {own} of `{key}`, expected less than {least}, the least that it is drawn with"),
+                    );
+                }
+                Scatter::Amount(key, own)
+            }
         });
     }
     list

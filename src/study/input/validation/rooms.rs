@@ -41,10 +41,11 @@ pub(super) fn rooms(
     }
 }
 
-/// Whether a given one can be made; `at`: its outer diameter.
-pub(super) fn made(check: &mut Check, at: &At<f64>, (shape, values): (&Shape, &[f64])) {
+/// Whether a given one can be made; `at`: its outer diameter, or the file that it stands in, then by its name.
+pub(super) fn made<T>(check: &mut Check, at: &At<T>, (shape, values): (&Shape, &[f64]), name: Option<&str>) {
     if let Some(unfit) = shape.unfit(values) {
-        let words = format!("found dimensions of `{}` that leave no room inside: {}", shape.declaration.name, told(unfit, "is"));
+        let whose = name.map_or_else(String::new, |name| format!(" in `{name}`"));
+        let words = format!("found dimensions of `{}`{whose} that leave no room inside: {}", shape.declaration.name, told(unfit, "is"));
         check.wrong_with_help(at, words, help(unfit));
     }
 }

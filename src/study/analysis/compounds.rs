@@ -1,7 +1,7 @@
 //! Which compound, which oil, which step of a dimension: each is searched for itself, but those that cannot be best.
 //!
-//! What cannot be best is known from a short search without limits: no design of it is better than that finds, as far as searches find the best; so what is then above the best that holds all limits by
-//! more than 2 % is left out. The lowest of them comes first.
+//! What cannot be best is known from a short search without limits, and a full one where that comes close: no design of it is better than that finds, as far as searches find the best; so what is then above the best
+//! that holds all limits by more than 2 % is left out. The lowest of them comes first.
 
 use super::evaluation_plan::EvaluationPlan;
 use super::families::{self, Choice};
@@ -21,6 +21,8 @@ use std::sync::Arc;
 
 /// What is above the best by less than this share without limits is searched, too: a search may end at another local optimum, by 0.3 % in the tests.
 const CERTAIN: f64 = 0.02;
+/// What a short search finds above the best by less than this share is searched in full without limits before it is left out.
+const CLOSE: f64 = 0.1;
 
 /// One of the compounds, oils and steps that a type may have.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -148,13 +150,10 @@ fn best_of(
     let put = |row: &mut CompoundResult, found: &Optimum| (row.value, row.holds) = (found.value(), found.outcome.rows.hold());
     let is_better = |a: &CompoundResult, b: &CompoundResult| (!a.holds, a.value) < (!b.holds, b.value);
     let leaves_out = !searches.limits.is_empty() && !spec.search_all;
-    let relaxed = |i: usize, low_enough: f64| {
-        let relaxed = Problem { limits: &[], ..searches.problem(spaces[i].1.clone(), 0) };
-        search::lowest_nearby(&relaxed, &spaces[i].0, low_enough)
-    };
+    let relaxed = |i: usize| Problem { limits: &[], ..searches.problem(spaces[i].1.clone(), 0) };
     // the lowest of all starts comes first: what others have to be as low as
     let bounds = |of: &[usize], low_enough: f64, work: &mut Work| {
-        let found: Vec<(f64, Work)> = of.par_iter().map(|i| relaxed(*i, low_enough)).collect();
+        let found: Vec<(f64, Work)> = of.par_iter().map(|i| search::lowest_nearby(&relaxed(*i), &spaces[*i].0, low_enough)).collect();
         found.iter().for_each(|f| *work += f.1);
         let mut bounded: Vec<(usize, f64)> = of.iter().copied().zip(found.iter().map(|f| f.0)).collect();
         bounded.sort_by(|a, b| a.1.total_cmp(&b.1));
@@ -168,8 +167,15 @@ fn best_of(
     put(&mut rows[best], &search(best, work)?);
     let low_enough = if rows[best].holds { rows[best].value * (1.0 + CERTAIN) } else { 0.0 };
     let bounded = if leaves_out { bounds(&others, low_enough, work) } else { others.into_iter().map(|i| (i, 0.0)).collect() };
-    for (i, least) in bounded {
-        if rows[best].holds && least > rows[best].value * (1.0 + CERTAIN) {
+    for (i, mut least) in bounded {
+        let above = |share: f64| rows[best].value * (1.0 + share);
+        let is_hopeless = rows[best].holds && least > above(CERTAIN);
+        if is_hopeless && least < above(CLOSE) {
+            let found = search::optimise(&relaxed(i), &spaces[i].0, search::Finish::Distinct, &|| {})?;
+            *work += found.stages.all();
+            least = found.value();
+        }
+        if is_hopeless && least > above(CERTAIN) {
             (rows[i].value, rows[i].left_out) = (least, true);
             step();
             continue;

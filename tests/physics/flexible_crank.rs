@@ -49,6 +49,16 @@ fn at_rest(study: &Study) -> (Assembled, Shaft) {
     (assembled, shaft)
 }
 
+/// The six whose flywheel hardly turns against the ground: what holds a crank that runs slowly.
+fn held_at_the_flywheel() -> Study {
+    let mut study = alone();
+    let last = study.chain.len() - 1;
+    study.chain.stations[last].stiffness_to_ground = 1e9;
+    let crank = study.crank.clone().expect("a crank");
+    study.flexible = study.flexible.as_ref().map(|f| f.with(|_| {}, (&crank, &study.engine, &study.chain)).expect("a crank"));
+    study
+}
+
 /// Motion of all nodes of a shaft at rest under a unit force on a node.
 fn under_unit_force(shaft: &Shaft, node: usize, direction: Vector3<f64>) -> DVector<Complex<f64>> {
     let component = |i: usize| if i / 6 == node && i % 6 < 3 { direction[i % 6] } else { 0.0 };

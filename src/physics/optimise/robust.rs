@@ -95,17 +95,17 @@ impl Tolerances {
         let edges_of = |(i, t): (usize, &Option<(&'static Declaration, Option<&Substance>)>)| -> Vec<(usize, Vec<usize>, By)> {
             let place = |scatter: &Scatter| -> Option<(usize, Vec<usize>, By)> {
                 let (kind, substance) = t.as_ref()?;
-                let sheared = shape(kind).map(|s| s.medium);
+                let medium = shape(kind).map(|s| s.medium);
                 match *scatter {
                     Scatter::Share(key, share) => Some((i, vec![kind.index(key)?], By::Share(share))),
                     Scatter::Amount(key, amount) => Some((i, vec![kind.index(key)?], By::Amount(amount))),
                     Scatter::Hardness(amount) => {
-                        let own = substance.filter(|_| sheared == Some(Medium::Rubber))?.grade;
+                        let own = substance.filter(|_| medium == Some(Medium::Rubber))?.grade;
                         let to = |hardness: f64| modulus_of_hardness(hardness.clamp(HARDNESS.0, HARDNESS.1)) / modulus_of_hardness(own);
                         Some((i, vec![shape(kind)?.material().start], By::Factors(to(own + amount), to(own - amount))))
                     }
                     Scatter::Viscosity(share) => {
-                        let first = shape(kind).filter(|_| sheared == Some(Medium::Oil))?.material().start;
+                        let first = shape(kind).filter(|_| medium == Some(Medium::Oil))?.material().start;
                         Some((i, vec![first, kind.index(RELAXATION_TIME)?], By::Share(share)))
                     }
                     Scatter::Temperature(kelvin) => {

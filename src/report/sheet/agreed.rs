@@ -5,12 +5,11 @@ use crate::absorber::Medium;
 use crate::analysis::Sheet;
 use crate::input::Study;
 use crate::text::table::significant;
-use crate::units::RAD_PER_S_PER_RPM;
+use crate::units::{M_PER_MM, RAD_PER_S_PER_RPM};
 
-/// Balance quality that the unbalance is told for: velocity of the centre of mass, m/s. G 6.3 of \[ISO 21940-11\], an example, nothing is judged by it.
+/// Balance quality that the unbalance is told for: velocity of the centre of mass, m/s. G 6.3 of ISO 21940-11, an example, nothing is judged by it.
 const G_6_3: f64 = 6.3e-3;
 const G_MM_PER_KG_M: f64 = 1e6;
-const MM_PER_M: f64 = 1e3;
 
 /// What is to be agreed on.
 pub(super) fn agreed(study: &Study, sheet: &Sheet) -> Block {
@@ -18,7 +17,7 @@ pub(super) fn agreed(study: &Study, sheet: &Sheet) -> Block {
     let p = &sheet.parts;
     let highest = study.speeds_rpm.iter().copied().fold(0.0, f64::max);
     let unbalance = sheet.mass * G_6_3 / (highest * RAD_PER_S_PER_RPM) * G_MM_PER_KG_M;
-    let inside = |x: f64| format!("inside {} mm: {}", significant(x * MM_PER_M, 4), blank());
+    let inside = |x: f64| format!("inside {} mm: {}", significant(x / M_PER_MM, 4), blank());
     let mut rows = Vec::new();
     match sheet.shape.medium {
         Medium::Rubber => {

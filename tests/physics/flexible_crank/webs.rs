@@ -1,7 +1,7 @@
 //! What the webs of the flexible crank carry: against the field of the strains of another model, equilibrium of a throw, and the limit of slow running.
 
 use super::independent::{Model, bent, web_of};
-use super::{alone, at_rest, designs, under_unit_force};
+use super::{alone, at_rest, designs, held_at_the_flywheel, under_unit_force};
 use hartog::crankshaft::Crank;
 use hartog::crankshaft::flexible::{Bearing, BearingNodes, Carried, LinearBearings, WebFactors, WebLoad, WebLoads, assemble};
 use hartog::input::Study;
@@ -155,11 +155,7 @@ fn slender_crank_is_the_continuous_beam() {
 /// At 60 rpm, order 12 at a twelfth of the lowest frequency, hardly anything vibrates: with a flywheel that holds the torque the moments are those of the still crank to 3 % of their largest.
 #[test]
 fn slow_running_is_still() {
-    let mut study = alone();
-    let last = study.chain.len() - 1;
-    study.chain.stations[last].stiffness_to_ground = 1e9;
-    let crank = study.crank.clone().expect("a crank");
-    study.flexible = study.flexible.as_ref().map(|f| f.with(|_| {}, (&crank, &study.engine, &study.chain)).expect("a crank"));
+    let study = held_at_the_flywheel();
     let results = study.run().expect("results");
     let (crank, excitation) = (results.system.flexible.as_ref().expect("flexible"), &results.system.excitation);
     let assembled = &study.flexible.as_ref().expect("flexible").assembled;

@@ -78,17 +78,6 @@ impl Shape {
         if self.medium.is_sheared() { self.dimensions..end } else { end..end }
     }
 
-    /// Place of what all that it is stiff or viscous by is proportional to, beside its dimensions: modulus or viscosity. `None` of pendulums.
-    #[doc(hidden)]
-    pub fn strength(&self) -> Option<usize> {
-        match self.medium {
-            Medium::Rubber | Medium::Oil => Some(self.dimensions),
-            // the modulus of steel is the last of what is drawn
-            Medium::Leaves | Medium::Coils => Some(self.dimensions - 1),
-            Medium::Field => None,
-        }
-    }
-
     /// Why a drawing with these values of its parameters cannot be made; `None` where it can.
     #[doc(hidden)]
     pub fn unfit(&self, values: &[f64]) -> Option<Unfit> {

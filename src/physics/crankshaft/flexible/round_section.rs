@@ -44,6 +44,11 @@ pub enum SectionLoad {
 impl SectionLoad {
     /// All of them, as their answers stand.
     pub const ALL: [Self; 6] = [Self::Outwards, Self::Tangential, Self::Axial, Self::AboutOutwards, Self::AboutTangential, Self::Torque];
+
+    /// Its column among those of all sections ([`super::WebLoads::of_rounds`]).
+    pub fn column(self, throw: usize, cut: Cut) -> usize {
+        (throw * Cut::ALL.len() + cut as usize) * Self::ALL.len() + self as usize
+    }
 }
 
 /// A journal or a pin cut at the face of a web.

@@ -11,8 +11,8 @@ mod mechanism;
 mod modes;
 mod responses;
 mod shown;
+mod stress_loads;
 mod torsion;
-mod unknowns;
 mod webs;
 
 pub use figure::curve;
@@ -21,7 +21,7 @@ pub use figure::{Axis, Curve, Figure, Look, Panel, Scale};
 pub use modes::HolzerRow;
 pub use modes::holzer;
 pub use shown::Shown;
-pub use unknowns::Histories;
+pub use stress_loads::Histories;
 
 use super::calibrate::calibrate;
 use super::progress::{Progress, RunError};
@@ -92,8 +92,8 @@ pub fn curves_of(study: &Study, shown: &Shown, progress: &dyn Progress) -> Resul
         figures.extend(torsion::cases(&study, &system, *speed).map_err(of_shafts)?);
         figures.extend(journals::journals(&study, &system, *speed).map_err(of_crank)?);
         figures.extend(webs::moments(&study, &system, (shown, *speed)).map_err(of_crank)?);
-        histories.extend(unknowns::unknowns(&study, &system, *speed).map_err(of_crank)?);
-        histories.extend(unknowns::throws(&study, &system, shown, *speed).map_err(of_crank)?);
+        histories.extend(stress_loads::unknowns(&study, &system, *speed).map_err(of_crank)?);
+        histories.extend(stress_loads::throws(&study, &system, shown, *speed).map_err(of_crank)?);
         progress.step();
     }
     figures.extend(mechanism::over_speed(&study));

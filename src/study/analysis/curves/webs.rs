@@ -2,7 +2,6 @@
 
 use super::figure::{Axis, CRANK_DEG, Figure, MOMENT, Panel, Scale, TORQUE, curve};
 use super::shown::Shown;
-use super::unknowns::column;
 use crate::crankshaft::flexible::{Cut, SectionLoad, WebLoad, WebLoads};
 use crate::drivetrain::System;
 use crate::input::Study;
@@ -68,7 +67,7 @@ pub(super) fn moments(study: &Study, system: &System, (shown, speed_rpm): (&Show
         (SectionLoad::Torque, "torque", TORQUE),
     ];
     let round = |(load, title, axis): (SectionLoad, &str, Axis)| {
-        at_faces.map(|(cut, place)| panel(format!("{title}, {place}"), axis, &all, &|throw| column(throw, cut, load)))
+        at_faces.map(|(cut, place)| panel(format!("{title}, {place}"), axis, &all, &|throw| load.column(throw, cut)))
     };
     let rounds = Figure {
         name: format!("journal_moments_{speed_rpm}"),

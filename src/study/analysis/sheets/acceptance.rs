@@ -1,4 +1,4 @@
-//! The acceptance test: a maker measures one number of each damper, the frequency of the ring on its held hub at the reference temperature of a compound or on its springs, or the damping of an oil at low speed. Within the band
+//! The acceptance test: a maker measures one number of each damper, the frequency of the ring on its held hub at the reference temperature of a compound, or the damping of an oil at low speed. Within the band
 //! every damper holds all limits, however the rest of it scatters.
 
 use crate::absorber::mounted::with_law;
@@ -140,7 +140,7 @@ fn with_number((design, index): (&[Mounted], usize), made: &Deviation, of: Measu
     let shape = construction::shape(law.declaration())?;
     // its values are those that are drawn
     let mut values = law.values();
-    let strength = shape.strength()?;
+    let strength = shape.material().start;
     values[strength] *= factor;
     if of == Measured::DampingNMSPerRad {
         values[strength + 1] *= factor;

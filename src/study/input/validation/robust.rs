@@ -1,8 +1,10 @@
 //! Tolerances that a design is to hold within.
 
 use super::absorbers::DesignSpec;
+use super::family::Size;
 use super::optimise::{OptimiseSpec, effort};
 use crate::absorber::construction::shape;
+use crate::absorber::parameter::RING_INERTIA;
 use crate::absorber::{Declaration, Medium};
 use crate::input::error::{At, Check};
 use crate::input::measure::LimitSpec;
@@ -185,7 +187,12 @@ fn least(key: &str, optimise: Option<&OptimiseSpec>, designs: &[&DesignSpec]) ->
     let given = designs.iter().flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.value(key));
     let searched = optimise.into_iter().flat_map(|o| &o.absorbers).flat_map(|a| {
         let bounds = a.bounds.iter().filter(|b| b.0 == key).map(|b| b.1.0);
-        bounds.chain(a.steps.iter().filter(|s| s.0 == key).flat_map(|s| s.1.iter().copied()))
+        let sizes = match &a.size {
+            Size::Each(list) => list.iter().copied().fold(f64::INFINITY, f64::min),
+            Size::Between(least, _) => *least,
+        };
+        let ring = (key == RING_INERTIA.key).then_some(sizes);
+        bounds.chain(ring).chain(a.steps.iter().filter(|s| s.0 == key).flat_map(|s| s.1.iter().copied()))
     });
     given.chain(searched).fold(f64::INFINITY, f64::min)
 }

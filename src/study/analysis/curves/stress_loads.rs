@@ -88,7 +88,7 @@ pub(super) fn throws(study: &Study, system: &System, shown: &Shown, speed_rpm: f
     let of_throw = |(throw, design, all): (usize, Option<&str>, &DMatrix<f64>)| {
         let to_bearing = 0.5 * crank.journal_lengths[throw + 1];
         let row = |(i, theta): (usize, &f64)| {
-            let at = |cut: Cut| -> [f64; 6] { std::array::from_fn(|k| all[(i, column(throw, cut, SectionLoad::ALL[k]))]) };
+            let at = |cut: Cut| -> [f64; 6] { std::array::from_fn(|k| all[(i, SectionLoad::ALL[k].column(throw, cut))]) };
             let ([x, y, z, mx, my, mz], front) = (at(Cut::JournalRear), at(Cut::JournalFront));
             (theta * DEG_PER_RAD, vec![x, y, z, mx + to_bearing * y, my - to_bearing * x, mz, front[0] - x, front[1] - y])
         };
@@ -100,9 +100,4 @@ pub(super) fn throws(study: &Study, system: &System, shown: &Shown, speed_rpm: f
     };
     let each = shown.throws(crank.throws()).flat_map(|t| all.iter().map(move |(design, all)| (t, *design, all)));
     Ok(each.map(of_throw).collect())
-}
-
-/// Column of a load of a section of a throw.
-pub(super) fn column(throw: usize, cut: Cut, load: SectionLoad) -> usize {
-    (throw * Cut::ALL.len() + cut as usize) * SectionLoad::ALL.len() + load as usize
 }

@@ -128,7 +128,7 @@ fn slow_running_tells_the_forces_of_rods() {
     assert!(grows < 0.03 * largest, "{grows} of {largest}");
 }
 
-/// What the loads of a throw leave out, of the six at 2200 rpm (the guide says so): along the axis the throw's own inertia, up to 550 of 3,040 N; of the bending at its front journal in its plane, as equilibrium without it has it, a tenth.
+/// What the loads of a throw leave out, of the six at 2200 rpm (the guide says so): along the axis the throw's own inertia, up to 660 of 4,380 N; of the bending at its front journal in its plane, as equilibrium without it has it, 14 %.
 #[test]
 fn what_loads_of_throws_leave_out() {
     let mut study = alone();
@@ -141,7 +141,8 @@ fn what_loads_of_throws_leave_out() {
     };
     let largest = |all: &[f64]| all.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let along: Vec<f64> = of(0, "rear_fz").iter().zip(of(1, "rear_fz")).map(|(a, b)| a - b).collect();
-    assert!((largest(&along) / 550.0 - 1.0).abs() < 0.02 && (largest(&of(1, "rear_fz")) / 3040.0 - 1.0).abs() < 0.02);
+    let both = (largest(&along), largest(&of(1, "rear_fz")));
+    assert!((both.0 / 660.0 - 1.0).abs() < 0.01 && (both.1 / 4380.0 - 1.0).abs() < 0.01, "{both:?}");
     let crank = study.crank.as_ref().expect("a crank");
     let (half, to_bearing) = (0.5 * crank.pin_length + crank.web_thickness, 0.5 * crank.journal_lengths[3]);
     let (moment, force, pin) = (of(1, "rear_my"), of(1, "rear_fx"), of(1, "pin_x"));
@@ -153,5 +154,5 @@ fn what_loads_of_throws_leave_out() {
     let apart: Vec<f64> = drawn.iter().enumerate().map(|(j, p)| front(every * j) - p.1).collect();
     let all: Vec<f64> = drawn.iter().map(|p| p.1).collect();
     let share = largest(&apart) / largest(&all);
-    assert!((0.05..0.15).contains(&share), "{share}");
+    assert!((share / 0.14 - 1.0).abs() < 0.05, "{share}");
 }
